@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#include "flatland/features/curve_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "flatland/features/regular_arc.h"
+#include "flatland/features/tolerances.h"
+#include "flatland/roots/isolate.h"
+
+namespace flatland {
+
+namespace {
+
+enum class End { Open, Corner, Smooth };
+
+/// A regular arc with its polynomials and their roots.
+struct Arc {
+  int piece;
+  RegularArc geometry;
+  ArcPolynomials polynomials;
+  Roots silhouette, curvature, curvaturePrime, lambdaPrime;
+  End start = End::Open, finish = End::Open;
+
+  double parameter(double s) const {
+    const double low = geometry.tLow, high = geometry.tHigh;
+    return low == 0.0 && high == 1.0 ? s : low + s * (high - low);
+  }
+};
+
+/// Signs just inside one end of an arc, with respect to increasing t.
+struct Signs {
+  int nw, k, kPrime, lambdaPrime;
+};
+
+int signAt(const Bernstein& p, double s) { return p.at(s).certainSign(); }
+
+class CurveMarker {
+ public:
+  CurveMarker(const BezierChain& chain, const ViewFrame& frame, int side)
+      : chain_(chain), frame_(frame), side_(side) {
+    Vec2 low = chain.points().front(), high = low;
+    for (const Vec2& p : chain.points()) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    extent_ = (high - low).norm();
+    scale_ = unitScale(extent_);
+  }
+
+  CurveMarks run() {
+    for (int i = 0; i < chain_.pieceCount(); ++i) addPiece(i);
+    const std::size_t count = arcs_.size();
+    for (std::size_t i = 0; i + 1 < count; ++i) meet(arcs_[i], arcs_[i + 1]);
+    if (chain_.closed() && count > 0) meet(arcs_[count - 1], arcs_[0]);
+    for (const Arc& arc : arcs_) addInterior(arc);
+    return std::move(result_);
+  }
+
+ private:
+  // --- arcs ---------------------------------------------------------------------------------
+
+  void addPiece(int index) {
+    std::vector<RegularArc> parts = regularArcs(chain_.piece(index), scale_);
+    if (parts.empty()) {
+      result_.degenerate.push_back({Degenerate::What::Point, 0, index + 0.0, index + 1.0});
+      return;
+    }
+    for (RegularArc& part : parts) {
+      Arc arc{index, std::move(part), {}, {}, {}, {}, {}};
+      arc.polynomials = polynomialsOf(arc.geometry, frame_, scale_);
+      if (arc.polynomials.curvature.isZero()) arc.geometry.straight = true;
+      if (arc.geometry.straight) {
+        if (isEndOn(arc.geometry)) arc.polynomials.silhouette = Bernstein::fromDoubles({0.0});
+        const bool endOn = arc.polynomials.silhouette.isZero();
+        const auto what = endOn ? Degenerate::What::StraightEndOn : Degenerate::What::Straight;
+        result_.degenerate.push_back(
+            {what, 0, index + arc.geometry.tLow, index + arc.geometry.tHigh});
+      } else {
+        arc.curvature = isolateRoots(arc.polynomials.curvature);
+        arc.curvaturePrime = isolateRoots(arc.polynomials.curvaturePrime);
+        arc.lambdaPrime = isolateRoots(arc.polynomials.lambdaPrime);
+      }
+      arc.silhouette = isolateRoots(arc.polynomials.silhouette);
+      arcs_.push_back(std::move(arc));
+    }
+  }
+
+  // The line of sight runs along the piece: at its nearest and farthest point the sine is tiny.
+  bool isEndOn(const RegularArc& arc) const {
+    const auto sine = [&](const Vec2& direction, const Bounded& x, const Bounded& y) {
+      const Vec2 point = Vec2(x.value(), y.value()) / scale_;
+      return std::abs(cross(direction, towardsViewer(frame_, point)));
+    };
+    return sine(arc.startDirection(), arc.x.first(), arc.y.first()) < kEndOnSine &&
+           sine(arc.endDirection(), arc.x.last(), arc.y.last()) < kEndOnSine;
+  }
+
+  Signs signsAt(const Arc& arc, double s) const {
+    const int nw = signAt(arc.polynomials.silhouette, s);
+    const int c = signAt(arc.polynomials.curvature, s);
+    return {nw, -side_ * c, -side_ * signAt(arc.polynomials.curvaturePrime, s),
+            signAt(arc.polynomials.lambdaPrime, s) * c * nw};
+  }
+
+  // One-sided curvature at an end: infinite at most cusps; empty if undetermined there.
+  std::optional<double> curvatureAtEnd(const Arc& arc, bool atStart) const {
+    const RegularArc& g = arc.geometry;
+    if (g.straight) return 0.0;
+    if ((atStart ? g.zerosAtStart : g.zerosAtEnd) == 0) {
+      const double t = atStart ? g.tLow : g.tHigh;
+      return frameOf(jetAt(chain_.piece(arc.piece), t), side_).k;
+    }
+    const Bernstein& c = arc.polynomials.curvature;
+    const int sign = (atStart ? c.first() : c.last()).certainSign();
+    if (sign == 0) return std::nullopt;
+    return -side_ * sign * std::numeric_limits<double>::infinity();
+  }
+
+  // --- where arcs meet ----------------------------------------------------------------------
+
+  void meet(Arc& a, Arc& b) {
+    const Vec2 in = a.geometry.endDirection(), out = b.geometry.startDirection();
+    double turn = std::atan2(cross(in, out), in.dot(out));
+    if (turn < 0.0 && std::abs(cross(in, out)) < kSmoothJointRad && in.dot(out) < 0.0) turn = -turn;
+    joint_ = {MarkKind::Corner, b.piece, b.geometry.tLow, true, turn};
+    if (std::abs(turn) > kSmoothJointRad) {
+      a.finish = b.start = End::Corner;
+      meetAtCorner(a, b);
+    } else {
+      a.finish = b.start = End::Smooth;
+      meetSmoothly(a, b);
+    }
+  }
+
+  void addAtJoint(MarkKind kind) {
+    CurveMark mark = joint_;
+    mark.kind = kind;
+    if (kind != MarkKind::Corner) mark.turnRad = 0.0;
+    result_.marks.push_back(mark);
+  }
+
+  void meetAtCorner(const Arc& a, const Arc& b) {
+    addAtJoint(MarkKind::Corner);
+    const Bernstein& before = a.polynomials.silhouette;
+    const Bernstein& after = b.polynomials.silhouette;
+    // The image folds, or one side leaves along the line of sight.
+    if (before.last().certainSign() * after.first().certainSign() <= 0) {
+      addAtJoint(MarkKind::Silhouette);
+    }
+  }
+
+  void meetSmoothly(const Arc& a, const Arc& b) {
+    const Signs before = signsAt(a, 1.0 - kJointWindow), after = signsAt(b, kJointWindow);
+    const bool silhouette = settle(MarkKind::Silhouette, a, a.silhouette, b, b.silhouette,
+                                   before.nw * after.nw < 0, true);
+    settle(MarkKind::Inflection, a, a.curvature, b, b.curvature, before.k * after.k < 0, false);
+
+    const auto ka = curvatureAtEnd(a, false), kb = curvatureAtEnd(b, true);
+    if (!ka || !kb) return;
+    const double size = std::max({std::abs(*ka), std::abs(*kb), 1.0 / extent_});
+    const auto same = [&](double p, double q) {
+      return p == q || std::abs(p - q) <= kSameCurvature * size;
+    };
+    if (same(*ka, *kb)) {
+      const int turn = before.kPrime * after.kPrime < 0 ? before.kPrime : 0;
+      if (turn != 0) {
+        settle(extremumKind(turn > 0, *ka), a, a.curvaturePrime, b, b.curvaturePrime, true, false);
+      }
+    } else {
+      const double top = std::max(*ka, *kb), bottom = std::min(*ka, *kb);
+      if (*ka > *kb ? before.kPrime > 0 : after.kPrime < 0) addAtJoint(extremumKind(true, top));
+      if (*ka < *kb ? before.kPrime < 0 : after.kPrime > 0) addAtJoint(extremumKind(false, bottom));
+    }
+    if (silhouette) return;  // lambda is infinite there
+    const double absA = std::abs(*ka), absB = std::abs(*kb);
+    if (same(absA, absB)) {
+      const int turn = before.lambdaPrime * after.lambdaPrime < 0 ? before.lambdaPrime : 0;
+      if (turn > 0 || (turn < 0 && before.k * after.k > 0)) {
+        settle(turn > 0 ? MarkKind::ApparentRidge : MarkKind::ApparentMinimum, a, a.lambdaPrime, b,
+               b.lambdaPrime, true, false);
+      }
+    } else {
+      if (absA > absB ? before.lambdaPrime > 0 : after.lambdaPrime < 0) {
+        addAtJoint(MarkKind::ApparentRidge);
+      }
+      // A jump to or through k = 0 has no lowest finite lambda worth a mark of its own.
+      const bool falls = absA < absB ? before.lambdaPrime < 0 : after.lambdaPrime > 0;
+      if (falls && before.k * after.k > 0) addAtJoint(MarkKind::ApparentMinimum);
+    }
+  }
+
+  // Judges one kind of root in the windows on both sides of a smooth joint: marks the root itself
+  // if it is the only one, the joint if there are none or several. `changes`: the sign differs
+  // across the windows. `touches`: a root counts even without a change of sign. True if something
+  // was marked.
+  bool settle(MarkKind kind, const Arc& a, const Roots& rootsA, const Arc& b, const Roots& rootsB,
+              bool changes, bool touches) {
+    std::vector<CurveMark> near;
+    for (const Root& root : rootsA.roots) {
+      if (root.t > 1.0 - kJointWindow) near.push_back({kind, a.piece, a.parameter(root.t)});
+    }
+    for (const Root& root : rootsB.roots) {
+      if (root.t < kJointWindow) near.push_back({kind, b.piece, b.parameter(root.t)});
+    }
+    if (!changes && !(touches && !near.empty())) return false;
+    if (near.size() == 1 && near[0].t != 0.0 && near[0].t != 1.0) {
+      result_.marks.push_back(near[0]);
+    } else {
+      addAtJoint(kind);
+    }
+    return true;
+  }
+
+  // --- inside arcs --------------------------------------------------------------------------
+
+  // Whether a root at s belongs to the arc's inside, not to what meets at its ends.
+  static bool isInside(const Arc& arc, double s, bool endsCount) {
+    const auto inside = [&](End end, double distance) {
+      switch (end) {
+        case End::Open:
+          return endsCount || distance > 0.0;
+        case End::Corner:
+          return distance > 0.0;
+        case End::Smooth:
+          return distance >= kJointWindow;
+      }
+      return true;
+    };
+    return inside(arc.start, s) && inside(arc.finish, 1.0 - s);
+  }
+
+  void addInterior(const Arc& arc) {
+    const auto mark = [&](MarkKind kind, const Root& root) {
+      result_.marks.push_back({kind, arc.piece, arc.parameter(root.t)});
+    };
+    for (const Root& root : arc.silhouette.roots) {
+      if (isInside(arc, root.t, true)) mark(MarkKind::Silhouette, root);
+    }
+    for (const Root& root : arc.curvature.roots) {
+      if (!isInside(arc, root.t, true)) continue;
+      // At an open end only the multiplicity tells that the curve's continuation would cross over.
+      const bool crosses =
+          root.signBefore * root.signAfter != 0 ? root.isCrossing() : root.multiplicity % 2 == 1;
+      if (crosses) mark(MarkKind::Inflection, root);
+    }
+    for (const Root& root : arc.curvaturePrime.roots) {
+      if (!isInside(arc, root.t, false) || !root.isCrossing()) continue;
+      const int kSign = -side_ * signAt(arc.polynomials.curvature, root.t);
+      mark(extremumKind(-side_ * root.signBefore > 0, kSign), root);
+    }
+    for (const Root& root : arc.lambdaPrime.roots) {
+      // At a silhouette of even multiplicity lambda rises to infinity from both sides.
+      if (!isInside(arc, root.t, false) || holdsRoot(arc.silhouette, root.low, root.high)) continue;
+      const int before = lambdaTrend(arc, root, -1), after = lambdaTrend(arc, root, +1);
+      if (before > 0 && after < 0) mark(MarkKind::ApparentRidge, root);
+      if (before < 0 && after > 0) mark(MarkKind::ApparentMinimum, root);
+    }
+    addOpenQuestions(arc, MarkKind::Silhouette, arc.silhouette);
+    addOpenQuestions(arc, MarkKind::Inflection, arc.curvature);
+    addOpenQuestions(arc, MarkKind::Ridge, arc.curvaturePrime);
+    addOpenQuestions(arc, MarkKind::ApparentRidge, arc.lambdaPrime);
+  }
+
+  static MarkKind extremumKind(bool maximum, double k) {
+    if (maximum && k > 0.0) return MarkKind::Ridge;
+    if (!maximum && k < 0.0) return MarkKind::Valley;
+    return MarkKind::Flat;
+  }
+
+  // Sign of dlambda/du on one side of a root of lambdaPrime. k or n.w may vanish at the very same
+  // place (an undulation), so their signs are taken a little further out, where they are certain.
+  static int lambdaTrend(const Arc& arc, const Root& root, int direction) {
+    const int own = direction < 0 ? root.signBefore : root.signAfter;
+    for (double step = 0x1p-53; step < kJointWindow; step *= 8.0) {
+      const double s = (direction < 0 ? root.low : root.high) + direction * step;
+      if (s < 0.0 || s > 1.0) break;
+      const int c = signAt(arc.polynomials.curvature, s), w = signAt(arc.polynomials.silhouette, s);
+      if (c != 0 && w != 0) return own * c * w;
+    }
+    return 0;
+  }
+
+  // Intervals that could not be decided, and clusters, which are marked but not counted.
+  void addOpenQuestions(const Arc& arc, MarkKind kind, const Roots& roots) {
+    const auto open = [&](double low, double high, const char* reason) {
+      result_.unresolved.push_back(
+          {kind, 0, arc.piece + arc.parameter(low), arc.piece + arc.parameter(high), reason});
+    };
+    if (roots.identicallyZero && !arc.geometry.straight) {
+      open(0.0, 1.0, "the defining polynomial cannot be told from zero");
+    }
+    for (const RootInterval& interval : roots.unresolved) {
+      const double middle = 0.5 * (interval.low + interval.high);
+      if (!isInside(arc, middle, true) || isExplained(arc, kind, interval)) continue;
+      open(interval.low, interval.high, "none or an even number of roots too close to tell apart");
+    }
+    for (const Root& root : roots.roots) {
+      if (root.multiplicity != 0 || !isInside(arc, root.t, true)) continue;
+      open(root.low, root.high, "an odd number of roots too close to count; one is marked");
+    }
+  }
+
+  // A multiple root of n.w or k is a multiple root of the derivatives too (docs/math/features.md):
+  // where one is known, an unresolved derivative there asks nothing new.
+  static bool isExplained(const Arc& arc, MarkKind kind, const RootInterval& interval) {
+    const auto holdsMultiple = [&](const Roots& roots) {
+      return holdsRoot(roots, interval.low, interval.high, 2);
+    };
+    if (kind == MarkKind::ApparentRidge) {
+      return holdsMultiple(arc.silhouette) || holdsMultiple(arc.curvature);
+    }
+    return kind == MarkKind::Ridge && holdsMultiple(arc.curvature);
+  }
+
+  // True if the interval meets a root of at least that multiplicity; a cluster has any.
+  static bool holdsRoot(const Roots& roots, double low, double high, int multiplicity = 1) {
+    return std::any_of(roots.roots.begin(), roots.roots.end(), [&](const Root& root) {
+      const bool multiple = root.multiplicity == 0 || root.multiplicity >= multiplicity;
+      return multiple && root.high >= low && root.low <= high;
+    });
+  }
+
+  const BezierChain& chain_;
+  const ViewFrame& frame_;
+  const int side_;
+  double extent_ = 0.0, scale_ = 1.0;
+  std::vector<Arc> arcs_;
+  CurveMark joint_{};  ///< the joint being judged
+  CurveMarks result_;
+};
+
+}  // namespace
+
+CurveMarks findCurveMarks(const BezierChain& chain, const ViewFrame& frame, int side) {
+  return CurveMarker(chain, frame, side).run();
+}
+
+}  // namespace flatland

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "flatland/features/features.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <tuple>
+
+#include "flatland/curve/arc_length.h"
+#include "flatland/features/curve_marks.h"
+#include "flatland/features/orientation.h"
+#include "flatland/features/terms.h"
+#include "flatland/screen/visibility.h"
+
+namespace flatland {
+
+namespace {
+
+constexpr std::array<std::string_view, kMarkKindCount> kNames = {
+    "silhouette", "inflection", "ridge",          "valley",
+    "flat",       "corner",     "apparent-ridge", "apparent-minimum"};
+
+// Relative to the curve's length; two digits above what arcLength can reach.
+constexpr double kArcLengthAccuracy = 1e-13;
+
+double controlPolygonLength(const BezierChain& chain) {
+  double length = 0.0;
+  for (int i = 0; i < chain.pieceCount(); ++i) {
+    const Bezier piece = chain.piece(i);
+    for (std::size_t j = 0; j + 1 < piece.points.size(); ++j) {
+      length += (piece.points[j + 1] - piece.points[j]).norm();
+    }
+  }
+  return length;
+}
+
+double residualFor(MarkKind kind, const Residuals& residuals) {
+  switch (kind) {
+    case MarkKind::Silhouette:
+      return residuals.silhouette;
+    case MarkKind::Inflection:
+      return residuals.inflection;
+    case MarkKind::Ridge:
+    case MarkKind::Valley:
+    case MarkKind::Flat:
+      return residuals.extremum;
+    case MarkKind::Corner:
+      return 0.0;
+    case MarkKind::ApparentRidge:
+    case MarkKind::ApparentMinimum:
+      return residuals.apparentRidge;
+  }
+  return 0.0;
+}
+
+// Everything about a mark but its arc length and visibility.
+Mark valued(const CurveMark& found, int curve, const BezierChain& chain, const ViewFrame& frame,
+            int side, double length) {
+  const Jet jet = jetAt(chain.piece(found.piece), found.t);
+  Mark mark{};
+  mark.kind = found.kind;
+  mark.curve = curve;
+  mark.t = found.piece + found.t;
+  mark.point = jet.p;
+  mark.screen = screenCoordinate(frame, jet.p);
+  mark.turnDeg = found.turnRad * (180.0 / std::numbers::pi);
+  // At a corner or cusp the terms differ on both sides, or do not exist.
+  const bool tangent = found.kind != MarkKind::Corner && jet.d1.squaredNorm() > 0.0;
+  if (!tangent) return mark;
+  const Terms terms = termsAt(jet, frame, side);
+  if (found.kind != MarkKind::Silhouette) mark.lambda = terms.lambda;
+  mark.feature = terms.feature;
+  mark.offset = terms.offset;
+  mark.perspective = terms.perspective;
+  if (!found.atJoint) mark.residual = residualFor(found.kind, residualsAt(jet, frame, length));
+  return mark;
+}
+
+// Arc lengths of marks sorted by t, each from the one before.
+void measure(std::vector<Mark>& marks, const BezierChain& chain, double length) {
+  double t = 0.0, u = 0.0;
+  for (Mark& mark : marks) {
+    if (mark.t > t) {
+      u += arcLength(chain, t, mark.t, kArcLengthAccuracy * length).value;
+      t = mark.t;
+    }
+    mark.u = u;
+  }
+}
+
+}  // namespace
+
+std::string_view nameOf(MarkKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+std::optional<MarkKind> markKindNamed(std::string_view name) {
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<MarkKind>(found - kNames.begin());
+}
+
+FeatureSet findFeatures(const Scene& scene) {
+  const ViewFrame frame = frameOf(scene.view);
+  const Visibility visibility(scene);
+  FeatureSet result;
+  for (int i = 0; i < static_cast<int>(scene.curves.size()); ++i) {
+    const SceneCurve& curve = scene.curves[static_cast<std::size_t>(i)];
+    const BezierChain& chain = curve.chain;
+    const int side = normalSide(curve, frame);
+    const double length = controlPolygonLength(chain);
+    CurveMarks found = findCurveMarks(chain, frame, side);
+
+    std::vector<Mark> marks;
+    for (const CurveMark& mark : found.marks) {
+      marks.push_back(valued(mark, i, chain, frame, side, length));
+    }
+    std::sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) {
+      return std::tie(a.t, a.kind) < std::tie(b.t, b.kind);
+    });
+    measure(marks, chain, length);
+    for (Mark& mark : marks) mark.visible = visibility.isVisible(i, mark.t);
+
+    for (Unresolved& open : found.unresolved) open.curve = i;
+    for (Degenerate& piece : found.degenerate) piece.curve = i;
+    result.marks.insert(result.marks.end(), marks.begin(), marks.end());
+    result.unresolved.insert(result.unresolved.end(), found.unresolved.begin(),
+                             found.unresolved.end());
+    result.degenerate.insert(result.degenerate.end(), found.degenerate.begin(),
+                             found.degenerate.end());
+  }
+  return result;
+}
+
+}  // namespace flatland

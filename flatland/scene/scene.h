@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flatland/curve/bezier_chain.h"
+#include "flatland/view/view.h"
+
+namespace flatland {
+
+/// One curve of a scene. Its normal points outward on a closed curve and towards the viewer on an
+/// open one (see normalSide in features/orientation.h); `flipNormal` turns it round.
+struct SceneCurve {
+  BezierChain chain;
+  bool flipNormal = false;
+
+  bool operator==(const SceneCurve&) const = default;
+};
+
+/// What is seen, and from where. A plain value.
+struct Scene {
+  std::vector<SceneCurve> curves;
+  View view;
+
+  bool operator==(const Scene&) const = default;
+};
+
+/// A built-in scene, named for the command line and the menu.
+struct Preset {
+  std::string id;    ///< stable, lower case: "thesis", "circle", "s-curve", "bump", "cusp", "loop"
+  std::string name;  ///< for people
+  std::string description;  ///< one sentence: what there is to see
+  Scene scene;
+};
+
+/// The presets in menu order; the first is the default scene, which shows every kind of mark.
+const std::vector<Preset>& presets();
+
+/// presets().front().scene
+const Scene& defaultScene();
+
+/// Axis-aligned box around all control points; {0,0}-{0,0} for a scene without points.
+struct Bounds {
+  Vec2 low, high;
+  Vec2 centre() const { return 0.5 * (low + high); }
+  double diagonal() const { return (high - low).norm(); }
+};
+Bounds boundsOf(const Scene& scene);
+
+}  // namespace flatland

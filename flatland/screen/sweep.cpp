@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "flatland/screen/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "flatland/curve/arc_length.h"
+#include "flatland/features/curve_marks.h"
+#include "flatland/features/regular_arc.h"
+#include "flatland/roots/isolate.h"
+
+namespace flatland {
+
+namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+constexpr double kMaxAngleStepDeg = 2.0;
+constexpr double kMaxLengthStep = 0.01;  // of the curve
+constexpr int kMaxHalvings = 40;
+
+double angleDegOf(const Vec2& v) { return std::atan2(v.y(), v.x()) * kDegPerRad; }
+
+// The view from which the point is a root of dlambda/du. The left normal serves: w and -w are the
+// same.
+double ridgeAngleDeg(const Jet& jet) {
+  const Frame f = frameOf(jet);
+  // t lies at -90 degrees from the left normal.
+  return angleDegOf(f.normal) - std::atan2(f.kPrime, f.k * f.k) * kDegPerRad;
+}
+
+double silhouetteAngleDeg(const Jet& jet) { return angleDegOf(jet.d1); }
+
+/// Sweeps one curve.
+class CurveSweeper {
+ public:
+  CurveSweeper(int curve, const BezierChain& chain, Sweep& result)
+      : curve_(curve), chain_(chain), result_(result) {
+    double polygon = 0.0;
+    Vec2 low = chain.points().front(), high = low;
+    for (int i = 0; i < chain.pieceCount(); ++i) {
+      const Bezier piece = chain.piece(i);
+      for (std::size_t j = 0; j < piece.points.size(); ++j) {
+        low = low.cwiseMin(piece.points[j]), high = high.cwiseMax(piece.points[j]);
+        if (j > 0) polygon += (piece.points[j] - piece.points[j - 1]).norm();
+      }
+    }
+    accuracy_ = 1e-12 * polygon;
+    scale_ = unitScale((high - low).norm());
+    if (polygon > 0.0) length_ = arcLength(chain_, 0.0, chain_.pieceCount(), accuracy_).value;
+  }
+
+  void run() {
+    addLines();
+    for (int i = 0; i < chain_.pieceCount(); ++i) {
+      piece_ = chain_.piece(i);
+      pieceIndex_ = i;
+      pieceStart_ = i == 0 ? 0.0 : pieceStart_ + pieceLength_;
+      pieceLength_ = arcLength(piece_, 0.0, 1.0, accuracy_).value;
+      for (const RegularArc& arc : regularArcs(piece_, scale_)) {
+        if (!arc.straight) addArc(arc);
+      }
+    }
+  }
+
+ private:
+  double lengthAt(double t) const {
+    return pieceStart_ + arcLength(piece_, 0.0, t, accuracy_).value;
+  }
+
+  void addLines() {
+    // Any view will do: these kinds do not depend on it, and ridge or valley is said for the left
+    // side.
+    for (const CurveMark& mark : findCurveMarks(chain_, frameOf(View{}), 1).marks) {
+      switch (mark.kind) {
+        case MarkKind::Silhouette:
+        case MarkKind::ApparentRidge:
+        case MarkKind::ApparentMinimum:
+          continue;
+        default:
+          break;
+      }
+      const double t = mark.piece + mark.t;
+      result_.lines.push_back({mark.kind, curve_, t, arcLength(chain_, 0.0, t, accuracy_).value});
+    }
+  }
+
+  void addArc(const RegularArc& arc) {
+    const ArcPolynomials polynomials = polynomialsOf(arc, frameOf(View{}), scale_);
+    const auto parameter = [&](double s) { return arc.tLow + s * (arc.tHigh - arc.tLow); };
+    std::vector<double> cuts{arc.tLow, arc.tHigh};
+    const auto addEvents = [&](const Bernstein& p, SweepEvent::What what) {
+      const Roots roots = isolateRoots(p);
+      result_.complete = result_.complete && roots.resolved();
+      for (const Root& root : roots.roots) {
+        if (root.t <= 0.0 || root.t >= 1.0 || !root.isCrossing()) continue;
+        const double t = parameter(root.t);
+        if (what != SweepEvent::What::HeadOn) cuts.push_back(t);
+        const Jet jet = jetAt(piece_, t);
+        const double angle = what == SweepEvent::What::Silhouette ? silhouetteAngleDeg(jet)
+                             : what == SweepEvent::What::HeadOn   ? angleDegOf(frameOf(jet).normal)
+                                                                  : ridgeAngleDeg(jet);
+        result_.events.push_back({what, curve_, halfTurnDeg(angle), pieceIndex_ + t, lengthAt(t)});
+      }
+    };
+    addEvents(polynomials.curvature, SweepEvent::What::Silhouette);
+    addEvents(polynomials.curvaturePrime, SweepEvent::What::HeadOn);
+    const Bernstein fold = foldPolynomial(arc);
+    addEvents(fold, SweepEvent::What::Fold);
+
+    addBranch(MarkKind::Silhouette, arc.tLow, arc.tHigh, silhouetteAngleDeg);
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (!(cuts[i + 1] > cuts[i])) continue;
+      const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+      const int sign = fold.at((middle - arc.tLow) / (arc.tHigh - arc.tLow)).certainSign();
+      addBranch(sign < 0 ? MarkKind::ApparentRidge : MarkKind::ApparentMinimum, cuts[i],
+                cuts[i + 1], ridgeAngleDeg);
+    }
+  }
+
+  // Samples a branch from both ends inwards until neighbours are close. At a cusp the direction is
+  // that of the limit, so the ends are taken a hair inside.
+  template <class Angle>
+  void addBranch(MarkKind kind, double low, double high, Angle angleOf) {
+    const double hair = 0x1p-40 * (high - low);
+    const auto sample = [&](double t) {
+      return SweepPoint{angleOf(jetAt(piece_, t)), pieceIndex_ + t, 0.0};
+    };
+    SweepBranch branch{kind, curve_, {sample(low + hair)}};
+    branch.points.front().u = lengthAt(low + hair);
+    refine(branch, sample(high - hair), sample, 0);
+    for (std::size_t i = 1; i < branch.points.size(); ++i) {
+      const SweepPoint& before = branch.points[i - 1];
+      SweepPoint& point = branch.points[i];
+      point.u = before.u +
+                arcLength(piece_, before.t - pieceIndex_, point.t - pieceIndex_, accuracy_).value;
+    }
+    result_.branches.push_back(std::move(branch));
+  }
+
+  // Appends points from the branch's last one up to `to`, unwrapping the angle.
+  template <class Sample>
+  void refine(SweepBranch& branch, SweepPoint to, const Sample& sample, int depth) {
+    const SweepPoint& from = branch.points.back();
+    to.angleDeg = from.angleDeg + halfTurnDeg(to.angleDeg - from.angleDeg);
+    const double chord =
+        (pointAt(piece_, to.t - pieceIndex_) - pointAt(piece_, from.t - pieceIndex_)).norm();
+    const bool close = std::abs(to.angleDeg - from.angleDeg) <= kMaxAngleStepDeg &&
+                       chord <= kMaxLengthStep * length_ && depth >= 4;
+    if (close || depth == kMaxHalvings) {
+      branch.points.push_back(to);
+      return;
+    }
+    const SweepPoint middle = sample(0.5 * (from.t + to.t) - pieceIndex_);
+    refine(branch, middle, sample, depth + 1);
+    refine(branch, to, sample, depth + 1);
+  }
+
+  int curve_;
+  const BezierChain& chain_;
+  Sweep& result_;
+  double accuracy_ = 0.0, scale_ = 1.0, length_ = 0.0;
+  Bezier piece_;
+  int pieceIndex_ = 0;
+  double pieceStart_ = 0.0, pieceLength_ = 0.0;
+};
+
+}  // namespace
+
+double halfTurnDeg(double angleDeg) {
+  const double a = std::remainder(angleDeg, 180.0);
+  return a == -90.0 ? 90.0 : a;
+}
+
+Sweep sweepOf(const Scene& scene) {
+  Sweep result;
+  for (std::size_t i = 0; i < scene.curves.size(); ++i) {
+    CurveSweeper(static_cast<int>(i), scene.curves[i].chain, result).run();
+  }
+  std::sort(result.events.begin(), result.events.end(),
+            [](const SweepEvent& a, const SweepEvent& b) {
+              return a.curve != b.curve ? a.curve < b.curve : a.t < b.t;
+            });
+  return result;
+}
+
+}  // namespace flatland

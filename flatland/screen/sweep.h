@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "flatland/features/features.h"
+
+namespace flatland {
+
+/// Every mark of a scene for every orthographic view direction (docs/math/sweep.md).
+///
+/// No angle is searched. At a point of a curve w = cos(psi) n + sin(psi) t makes lambda stationary
+/// exactly if tan(psi) = k' / k^2, so each point belongs to one view line, and walking the curve
+/// yields all branches, whole. Likewise a point is a silhouette exactly from the direction of its
+/// tangent. Opposite directions see the same marks (hidden ones included), so angles are modulo 180
+/// degrees.
+struct SweepPoint {
+  double angleDeg;  ///< view direction, unwrapped: continuous along a branch, any multiple of 180
+                    ///< may be added
+  double t;         ///< chain parameter
+  double u;         ///< arc length
+};
+
+/// A branch: where the mark of one kind goes as the view turns. Kind is Silhouette, ApparentRidge
+/// or ApparentMinimum. Neighbouring points differ by at most 2 degrees and 1/100 of the length.
+struct SweepBranch {
+  MarkKind kind;
+  int curve;
+  std::vector<SweepPoint> points;  ///< in order of t, at least 2
+};
+
+/// A mark that does not move: ridge, valley, flat point, inflection or corner.
+struct SweepLine {
+  MarkKind kind;
+  int curve;
+  double t, u;
+};
+
+/// A view direction at which something happens to an apparent ridge.
+struct SweepEvent {
+  enum class What {
+    Fold,  ///< an apparent ridge and a minimum of lambda are born or merge (k^4 + k k'' = k'^2)
+    Silhouette,  ///< at an inflection seen along its tangent the apparent ridge runs into the
+                 ///< silhouette
+    HeadOn,  ///< at a ridge, valley or flat point seen head-on the branch crosses its line (offset
+             ///< 0)
+  };
+  What what;
+  int curve;
+  double angleDeg;  ///< in (-90, 90], modulo 180
+  double t, u;
+};
+
+struct Sweep {
+  std::vector<SweepLine> lines;
+  std::vector<SweepBranch> branches;
+  std::vector<SweepEvent> events;  ///< by curve, then t
+  bool complete = true;            ///< all events were isolated with certified signs
+};
+
+/// The sweep of a scene; its own view and distance do not matter.
+Sweep sweepOf(const Scene& scene);
+
+/// Angle modulo 180 degrees, in (-90, 90].
+double halfTurnDeg(double angleDeg);
+
+}  // namespace flatland

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "flatland/screen/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "flatland/features/regular_arc.h"
+#include "flatland/roots/isolate.h"
+
+namespace flatland {
+
+namespace {
+
+// Points of a part within this parameter distance of a mark are the mark's own neighbourhood: near
+// a fold the depth changes with the square root of the screen coordinate, so rounding of the latter
+// (1e-16) shifts the parameter by 1e-8.
+constexpr double kSameParameter = 1e-7;
+
+// Nearer to the viewer by less than this, relative to the scene's size, is the same place.
+constexpr double kSameDepth = 1e-9;
+
+// Samples between two possible changes of visibility, to catch where curves cross.
+constexpr int kSamples = 16;
+
+/// A stretch of a piece whose image on the screen does not fold: each line of sight meets it once.
+struct Part {
+  int curve;
+  int piece;
+  double low, high;      ///< local parameter
+  double atLow, atHigh;  ///< screen coordinate at the ends; infinite where the image runs off
+};
+
+}  // namespace
+
+struct Visibility::Parts {
+  ViewFrame frame;
+  std::vector<BezierChain> chains;
+  std::vector<std::vector<Bezier>> pieces;  ///< of each chain
+  std::vector<Part> parts;
+  double size = 1.0;
+
+  Vec2 point(const Part& part, double t) const {
+    return pointAt(
+        pieces[static_cast<std::size_t>(part.curve)][static_cast<std::size_t>(part.piece)], t);
+  }
+
+  double depth(const Vec2& p) const {
+    return frame.distance ? *frame.distance - p.dot(frame.towards) : 1.0;
+  }
+
+  // Signed distance, on the screen, of the image of p from the line of sight through q; in
+  // perspective multiplied by both (positive) depths, so that it stays finite.
+  double beside(const Vec2& p, const Vec2& q) const {
+    if (!frame.distance) return (p - q).dot(frame.axis);
+    return p.dot(frame.axis) * depth(q) - q.dot(frame.axis) * depth(p);
+  }
+
+  void add(int curve, const BezierChain& chain) {
+    const double scale = unitScale(size);
+    auto& own = pieces.emplace_back();
+    for (int i = 0; i < chain.pieceCount(); ++i) {
+      own.push_back(chain.piece(i));
+      std::vector<double> cuts{0.0, 1.0};
+      const auto cutAtRoots = [&](const Bernstein& p) {
+        const Roots roots = isolateRoots(p);
+        for (const Root& root : roots.roots) cuts.push_back(root.t);
+        for (const RootInterval& open : roots.unresolved) {
+          cuts.push_back(open.low);
+          cuts.push_back(open.high);
+        }
+      };
+      cutAtRoots(silhouettePolynomial(own.back(), frame, scale));
+      if (frame.distance) {  // and where it passes beside the viewer
+        std::vector<double> depths;
+        for (const Vec2& p : own.back().points) depths.push_back(scale * depth(p));
+        cutAtRoots(Bernstein::fromDoubles(depths));
+      }
+      std::sort(cuts.begin(), cuts.end());
+      for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
+        if (cuts[c + 1] > cuts[c]) addPart({curve, i, cuts[c], cuts[c + 1], 0.0, 0.0});
+      }
+    }
+  }
+
+  void addPart(Part part) {
+    if (!(depth(point(part, 0.5 * (part.low + part.high))) > 0.0)) return;  // behind the viewer
+    const auto image = [&](double t, double inwards) {
+      if (const auto i = screenCoordinate(frame, point(part, t))) return *i;
+      // At the viewer's depth the image runs off the screen, to the side it comes from.
+      const auto near =
+          screenCoordinate(frame, point(part, t + 1e-3 * inwards * (part.high - part.low)));
+      return std::copysign(std::numeric_limits<double>::infinity(), near.value_or(0.0));
+    };
+    part.atLow = image(part.low, 1.0);
+    part.atHigh = image(part.high, -1.0);
+    parts.push_back(part);
+  }
+
+  // The parameter at which the part meets the line of sight through q; its ends must lie on both
+  // sides.
+  double crossing(const Part& part, const Vec2& q) const {
+    double a = part.low, b = part.high;
+    double fa = beside(point(part, a), q), fb = beside(point(part, b), q);
+    if (fa == 0.0) return a;
+    if (fb == 0.0) return b;
+    // Illinois; the image is monotone, so the sign change is the only one.
+    int stale = 0;
+    for (int i = 0; i < 60 && b - a > 1e-14; ++i) {
+      double t = i % 6 == 5 ? 0.5 * (a + b) : a - fa * (b - a) / (fb - fa);
+      if (!(t > a && t < b)) t = 0.5 * (a + b);
+      const double f = beside(point(part, t), q);
+      if (f == 0.0) return t;
+      if ((f > 0.0) == (fa > 0.0)) {
+        if (t - a < 1e-15) return t;
+        a = t, fa = f;
+        if (stale == -1) fb *= 0.5;
+        stale = -1;
+      } else {
+        if (b - t < 1e-15) return t;
+        b = t, fb = f;
+        if (stale == 1) fa *= 0.5;
+        stale = 1;
+      }
+    }
+    return 0.5 * (a + b);
+  }
+
+  // True if parameter t of `curve` lies on the part or touches it, also across a joint.
+  bool isOn(const Part& part, int curve, double t) const {
+    if (part.curve != curve) return false;
+    const auto near = [&](double x) {
+      return x >= part.piece + part.low - kSameParameter &&
+             x <= part.piece + part.high + kSameParameter;
+    };
+    const BezierChain& chain = chains[static_cast<std::size_t>(curve)];
+    const double period = chain.pieceCount();
+    return near(t) || (chain.closed() && (near(t - period) || near(t + period)));
+  }
+
+  bool hides(const Part& part, const Vec2& q, double image) const {
+    if (image < std::min(part.atLow, part.atHigh) || image > std::max(part.atLow, part.atHigh)) {
+      return false;
+    }
+    const double nearest = nearness(frame, q) + kSameDepth * size;
+    const Vec2 low = point(part, part.low), high = point(part, part.high);
+    if (part.atLow == part.atHigh) {  // seen end-on: all of it on one line of sight
+      return std::max(nearness(frame, low), nearness(frame, high)) > nearest;
+    }
+    // Points at the viewer's own depth or behind it do not hide anything.
+    const Vec2 p = point(part, crossing(part, q));
+    return depth(p) > 0.0 && nearness(frame, p) > nearest;
+  }
+};
+
+Visibility::Visibility(const Scene& scene) : parts_(std::make_unique<Parts>()) {
+  parts_->frame = frameOf(scene.view);
+  const Bounds bounds = boundsOf(scene);
+  if (bounds.diagonal() > 0.0) parts_->size = bounds.diagonal();
+  for (std::size_t i = 0; i < scene.curves.size(); ++i) {
+    parts_->chains.push_back(scene.curves[i].chain);
+    parts_->add(static_cast<int>(i), scene.curves[i].chain);
+  }
+}
+
+Visibility::~Visibility() = default;
+Visibility::Visibility(Visibility&&) noexcept = default;
+Visibility& Visibility::operator=(Visibility&&) noexcept = default;
+
+bool Visibility::isVisible(int curve, double t) const {
+  const Vec2 q = pointAt(parts_->chains[static_cast<std::size_t>(curve)], t);
+  const auto image = screenCoordinate(parts_->frame, q);
+  if (!image) return false;
+  for (const Part& part : parts_->parts) {
+    const bool endOn = part.atLow == part.atHigh;
+    if (!endOn && parts_->isOn(part, curve, t)) continue;
+    if (parts_->hides(part, q, *image)) return false;
+  }
+  return true;
+}
+
+std::vector<Visibility::Interval> Visibility::visibleIntervals(int curve) const {
+  // Visibility changes where the image of a fold or end passes, and where curves cross.
+  const Parts& all = *parts_;
+  std::vector<Vec2> edges;
+  for (const Part& part : all.parts) {
+    edges.push_back(all.point(part, part.low));
+    edges.push_back(all.point(part, part.high));
+  }
+  std::vector<double> cuts;
+  for (const Part& part : all.parts) {
+    if (part.curve != curve) continue;
+    cuts.push_back(part.piece + part.low);
+    cuts.push_back(part.piece + part.high);
+    const double least = std::min(part.atLow, part.atHigh),
+                 most = std::max(part.atLow, part.atHigh);
+    for (const Vec2& edge : edges) {
+      const auto image = screenCoordinate(all.frame, edge);
+      if (image && *image > least && *image < most)
+        cuts.push_back(part.piece + all.crossing(part, edge));
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+
+  std::vector<Interval> visible;
+  const auto append = [&](double low, double high) {
+    if (!(high > low)) return;
+    if (!visible.empty() && visible.back().tHigh == low) {
+      visible.back().tHigh = high;
+    } else {
+      visible.push_back({low, high});
+    }
+  };
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double low = cuts[i], high = cuts[i + 1];
+    // The ends themselves are edges, where the answer is about to change: look just inside.
+    const auto sample = [&](int k) { return low + (high - low) * (k + 0.5) / kSamples; };
+    double from = low;
+    bool seen = isVisible(curve, sample(0));
+    for (int k = 1; k < kSamples; ++k) {
+      const bool next = isVisible(curve, sample(k));
+      if (next == seen) continue;
+      double a = sample(k - 1), b = sample(k);
+      while (b - a > 1e-9) {
+        const double mid = 0.5 * (a + b);
+        (isVisible(curve, mid) == seen ? a : b) = mid;
+      }
+      if (seen) append(from, b);
+      from = b;
+      seen = next;
+    }
+    if (seen) append(from, high);
+  }
+  return visible;
+}
+
+}  // namespace flatland

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep against marks found view by view, and against a parabola, where all of it is known.
+#include "flatland/screen/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/seed.h"
+
+namespace {
+
+using namespace flatland;
+
+Scene sceneOf(std::vector<Vec2> points) { return {{{BezierChain(Bezier{std::move(points)})}}, {}}; }
+
+// Arc lengths at which the branches of one kind pass the view angle, sorted.
+std::vector<double> crossings(const Sweep& sweep, MarkKind kind, double angleDeg) {
+  std::vector<double> at;
+  for (const SweepBranch& branch : sweep.branches) {
+    if (branch.kind != kind) continue;
+    for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+      const SweepPoint &a = branch.points[i], &b = branch.points[i + 1];
+      const double low = std::min(a.angleDeg, b.angleDeg), high = std::max(a.angleDeg, b.angleDeg);
+      const double angle = angleDeg + 180.0 * std::ceil((low - angleDeg) / 180.0);
+      if (angle < low || angle >= high) continue;
+      at.push_back(a.u + (b.u - a.u) * (angle - a.angleDeg) / (b.angleDeg - a.angleDeg));
+    }
+  }
+  std::sort(at.begin(), at.end());
+  return at;
+}
+
+// Every mark of every view lies on a branch, and every branch is met by a mark.
+void expectAgreesWithFeatures(Scene scene, double offsetDeg) {
+  const Sweep sweep = sweepOf(scene);
+  double nearestFold = 180.0;
+  for (int i = 0; i < 180; ++i) {
+    scene.view.angleDeg = i + offsetDeg;
+    // Within the sampling of a fold, two branches nearly touch and may be counted or not.
+    nearestFold = 180.0;
+    for (const SweepEvent& event : sweep.events) {
+      if (event.what != SweepEvent::What::Fold) continue;
+      nearestFold =
+          std::min(nearestFold, std::abs(halfTurnDeg(event.angleDeg - scene.view.angleDeg)));
+    }
+    if (nearestFold < 1e-6) continue;
+    const FeatureSet features = findFeatures(scene);
+    for (const MarkKind kind :
+         {MarkKind::Silhouette, MarkKind::ApparentRidge, MarkKind::ApparentMinimum}) {
+      std::vector<double> marks;
+      for (const Mark& mark : features.marks) {
+        if (mark.kind == kind) marks.push_back(mark.u);
+      }
+      const std::vector<double> branches = crossings(sweep, kind, scene.view.angleDeg);
+      ASSERT_EQ(branches.size(), marks.size()) << nameOf(kind) << " at " << scene.view.angleDeg;
+      // A branch is drawn with chords of up to 1/100 of the length.
+      const double length = sweep.branches.front().points.back().u + 1.0;
+      for (std::size_t m = 0; m < marks.size(); ++m) {
+        EXPECT_NEAR(branches[m], marks[m], 0.01 * length)
+            << nameOf(kind) << " at " << scene.view.angleDeg;
+      }
+    }
+  }
+}
+
+TEST(Sweep, AgreesWithTheMarksOfEveryViewOnTheDefaultCurve) {
+  expectAgreesWithFeatures(defaultScene(), 0.3);
+}
+
+TEST(Sweep, AgreesWithTheMarksOfEveryViewOnRandomCurves) {
+  flatland::test::Random random(flatland::test::announcedSeed("Sweep", 20070202));
+  const auto unit = [&] { return flatland::test::uniform(random, 0.0, 1.0); };
+  for (int i = 0; i < 12; ++i) {
+    std::vector<Vec2> points;
+    for (int j = 0; j < 5; ++j) {
+      const double x = unit();
+      points.emplace_back(x, unit());
+    }
+    SCOPED_TRACE(i);
+    expectAgreesWithFeatures(sceneOf(std::move(points)), unit());
+  }
+}
+
+// y = x^2: at slope q = 2 x the stationary view leans by p with tan p = 2 q / (1 + 3 q^2) from the
+// axis (from the oblique form of the equation with f''' = 0), so the largest lean is 30 degrees, at
+// q = 1/sqrt 3.
+TEST(Sweep, ParabolaFoldsAtThirtyDegrees) {
+  const Sweep sweep = sweepOf(sceneOf({{-2.0, 4.0}, {0.0, -4.0}, {2.0, 4.0}}));
+  std::vector<SweepEvent> folds, headOn;
+  for (const SweepEvent& event : sweep.events) {
+    if (event.what == SweepEvent::What::Fold) folds.push_back(event);
+    if (event.what == SweepEvent::What::HeadOn) headOn.push_back(event);
+  }
+  ASSERT_EQ(folds.size(), 2u);
+  ASSERT_EQ(headOn.size(), 1u);
+  const double x = 0.5 / std::numbers::sqrt3;
+  EXPECT_NEAR(folds[0].t, (2.0 - x) / 4.0, 1e-14);
+  EXPECT_NEAR(folds[1].t, (2.0 + x) / 4.0, 1e-14);
+  // Slope +: the view leans towards +x, 60 degrees from the x axis.
+  EXPECT_NEAR(folds[1].angleDeg, 60.0, 1e-11);
+  EXPECT_NEAR(folds[0].angleDeg, -60.0, 1e-11);
+  EXPECT_NEAR(headOn[0].t, 0.5, 1e-15);
+  EXPECT_NEAR(headOn[0].angleDeg, 90.0, 1e-12);
+  for (const SweepBranch& branch : sweep.branches) {
+    for (const SweepPoint& point : branch.points) {
+      const double q = 2.0 * (4.0 * point.t - 2.0);
+      const double expected = branch.kind == MarkKind::Silhouette
+                                  ? std::atan2(q, 1.0)
+                                  : std::atan2(1.0 + 3.0 * q * q, 2.0 * q);
+      EXPECT_NEAR(halfTurnDeg(point.angleDeg - expected * 180.0 / std::numbers::pi), 0.0, 1e-9);
+      if (branch.kind == MarkKind::Silhouette) continue;
+      // Between the folds, where the view is nearly head-on, a ridge; outside a minimum.
+      EXPECT_EQ(branch.kind == MarkKind::ApparentRidge, std::abs(q) < 1.0 / std::numbers::sqrt3)
+          << point.t;
+    }
+  }
+}
+
+TEST(Sweep, ApparentRidgeRunsIntoTheSilhouetteAtAnInflection) {
+  const Sweep sweep = sweepOf(sceneOf({{-0.4, -1.0}, {1.6, -0.6}, {-1.6, 0.6}, {0.4, 1.0}}));
+  const auto event =
+      std::find_if(sweep.events.begin(), sweep.events.end(),
+                   [](const SweepEvent& e) { return e.what == SweepEvent::What::Silhouette; });
+  ASSERT_NE(event, sweep.events.end());
+  EXPECT_NEAR(event->t, 0.5, 1e-15);
+  // The tangent there is p3 + p2 - p1 - p0 = (-2.4, 3.2).
+  EXPECT_NEAR(event->angleDeg, std::atan2(3.2, -2.4) * 180.0 / std::numbers::pi - 180.0, 1e-10);
+}
+
+TEST(Sweep, NeighbouringPointsAreClose) {
+  const Sweep sweep = sweepOf(defaultScene());
+  ASSERT_TRUE(sweep.complete);
+  double length = 0.0;
+  for (const SweepBranch& branch : sweep.branches)
+    length = std::max(length, branch.points.back().u);
+  for (const SweepBranch& branch : sweep.branches) {
+    for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+      EXPECT_LE(std::abs(branch.points[i + 1].angleDeg - branch.points[i].angleDeg), 2.0);
+      EXPECT_GT(branch.points[i + 1].u, branch.points[i].u);
+      EXPECT_LE(branch.points[i + 1].u - branch.points[i].u, 0.011 * length);
+    }
+  }
+}
+
+TEST(Sweep, StraightAndPointCurvesHaveNoBranches) {
+  EXPECT_TRUE(sweepOf(sceneOf({{0, 0}, {1, 2}, {2, 4}})).branches.empty());
+  EXPECT_TRUE(sweepOf(sceneOf({{1, 1}, {1, 1}})).branches.empty());
+}
+
+}  // namespace

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/file_controller.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QSettings>
+
+#include "flatland/io/input_error.h"
+#include "ui/app/message_bar.h"
+#include "ui/app/paths.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr char kRecentKey[] = "files/recent";
+constexpr char kSuffix[] = ".json";
+
+QString filter() {
+  return QCoreApplication::translate("FileController", "Flatland scenes (*.json);;All files (*)");
+}
+
+}  // namespace
+
+QString shownName(const Document& document) {
+  if (document.file().empty()) {
+    return document.originName().isEmpty()
+               ? QCoreApplication::translate("FileController", "Untitled")
+               : document.originName();
+  }
+  return toQString(document.file().filename());
+}
+
+QString presetName(const Preset& preset) {
+  return QCoreApplication::translate("Presets", preset.name.c_str());
+}
+
+FileController::FileController(QWidget& window, Document& document, MessageBar& messages,
+                               QSettings* settings)
+    : QObject(&window),
+      window_(window),
+      document_(document),
+      messages_(messages),
+      settings_(settings) {}
+
+void FileController::startNew() { startPreset(presets().front()); }
+
+void FileController::startPreset(const Preset& preset) {
+  if (!mayDiscard()) return;
+  messages_.hide();
+  document_.start(preset.scene, presetName(preset));
+}
+
+void FileController::open() {
+  const QString folder = QFileInfo(suggestedName()).path();
+  const QString name = QFileDialog::getOpenFileName(&window_, tr("Open scene"), folder, filter());
+  if (!name.isEmpty()) openFile(name);
+}
+
+void FileController::openFile(const QString& name) {
+  if (!mayDiscard()) return;
+  try {
+    document_.open(toPath(name));
+    messages_.hide();
+    remember(name);
+  } catch (const InputError& error) {
+    messages_.showError(QString::fromStdString(error.what()));
+    if (!QFileInfo::exists(name)) forget(name);
+  }
+}
+
+bool FileController::save() {
+  return document_.file().empty() ? saveAs() : saveTo(toQString(document_.file()));
+}
+
+bool FileController::saveAs() {
+  QString name =
+      QFileDialog::getSaveFileName(&window_, tr("Save scene as"), suggestedName(), filter());
+  if (name.isEmpty()) return false;
+  if (QFileInfo(name).suffix().isEmpty()) {
+    name += kSuffix;
+    // The dialog has asked about the name without the suffix only.
+    if (QFileInfo::exists(name) &&
+        QMessageBox::question(&window_, tr("Save scene as"),
+                              tr("%1 exists. Replace it?").arg(QFileInfo(name).fileName())) !=
+            QMessageBox::Yes) {
+      return false;
+    }
+  }
+  return saveTo(name);
+}
+
+bool FileController::saveTo(const QString& name) {
+  try {
+    document_.save(toPath(name));
+  } catch (const InputError& error) {
+    messages_.showError(QString::fromStdString(error.what()));
+    return false;
+  }
+  messages_.hide();
+  remember(name);
+  return true;
+}
+
+bool FileController::mayDiscard() {
+  if (!document_.isModified()) return true;
+  QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
+                  tr("Save the changes to %1?").arg(shownName(document_)),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+  box.setObjectName("unsaved");
+  box.setInformativeText(tr("They are lost otherwise."));
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+QStringList FileController::recentFiles() const {
+  return settings_ ? settings_->value(kRecentKey).toStringList() : QStringList();
+}
+
+void FileController::clearRecentFiles() { setRecent({}); }
+
+void FileController::remember(const QString& name) {
+  const QString full = QFileInfo(name).absoluteFilePath();
+  QStringList names = recentFiles();
+  names.removeAll(full);
+  names.prepend(full);
+  setRecent(names.mid(0, kRecentFiles));
+}
+
+void FileController::forget(const QString& name) {
+  QStringList names = recentFiles();
+  names.removeAll(QFileInfo(name).absoluteFilePath());
+  setRecent(names);
+}
+
+void FileController::setRecent(const QStringList& names) {
+  if (!settings_ || names == recentFiles()) return;
+  settings_->setValue(kRecentKey, names);
+  emit recentFilesChanged();
+}
+
+QString FileController::suggestedName() const {
+  if (!document_.file().empty()) return toQString(document_.file());
+  const QStringList recent = recentFiles();
+  const QString folder = recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.front()).path();
+  return folder + "/" + tr("scene") + kSuffix;
+}
+
+}  // namespace flatland::ui

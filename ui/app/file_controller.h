@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include "flatland/scene/scene.h"
+#include "ui/model/document.h"
+
+class QSettings;
+class QWidget;
+
+namespace flatland::ui {
+
+class MessageBar;
+
+/// Opening, saving and starting over, with the question about unsaved work before anything is lost.
+/// Failures go to the message bar and leave document and files as they were.
+class FileController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `settings` remembers recent files and the last folder; null: nothing is remembered.
+  FileController(QWidget& window, Document& document, MessageBar& messages, QSettings* settings);
+
+  void startNew();
+  void startPreset(const Preset& preset);
+  void open();  ///< asks which file
+  void openFile(const QString& name);
+  bool save();  ///< asks for a name if there is none; false if not saved
+  bool saveAs();
+  bool saveTo(const QString& name);
+
+  /// True if nothing unsaved is left, the person let it go, or it has been saved now.
+  bool mayDiscard();
+
+  /// Files opened or saved last, newest first; also those that are gone in the meantime.
+  QStringList recentFiles() const;
+  void clearRecentFiles();
+  static constexpr int kRecentFiles = 8;
+
+ signals:
+  void recentFilesChanged();
+
+ private:
+  void remember(const QString& name);
+  void forget(const QString& name);
+  void setRecent(const QStringList& names);
+  QString suggestedName() const;
+
+  QWidget& window_;
+  Document& document_;
+  MessageBar& messages_;
+  QSettings* settings_;
+};
+
+/// "Untitled" or the name of the file without its folder.
+QString shownName(const Document& document);
+
+/// The name of a preset in the person's language.
+QString presetName(const Preset& preset);
+
+}  // namespace flatland::ui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+
+#include "ui/app/menus.h"
+
+namespace flatland::ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("FileMenu", text); }
+
+/// Filled anew each time it opens, so that files that went away or came back show as they are.
+void fillRecent(QMenu& menu, FileController& files) {
+  menu.clear();
+  const QStringList names = files.recentFiles();
+  for (qsizetype i = 0; i < names.size(); ++i) {
+    const QString& name = names[i];
+    QString label = QFileInfo(name).fileName();
+    label.replace('&', "&&");
+    const bool exists = QFileInfo::exists(name);
+    if (!exists) label = tr("%1 (gone)").arg(label);
+    QAction* action = addAction(menu,
+                                {"file.recent", QStringLiteral("&%1  %2").arg(i + 1).arg(label),
+                                 QDir::toNativeSeparators(name)},
+                                [&files, name] { files.openFile(name); });
+    action->setEnabled(exists);
+  }
+  if (names.isEmpty()) {
+    addAction(menu, {"file.recent.none", tr("No recent files"), {}}, [] {})->setEnabled(false);
+  } else {
+    menu.addSeparator();
+    addAction(menu, {"file.recent.clear", tr("&Clear List"), tr("Forget all recent files")},
+              [&files] { files.clearRecentFiles(); });
+  }
+}
+
+void fillPresets(QMenu& menu, FileController& files) {
+  for (const Preset& preset : presets()) {
+    addAction(menu,
+              {"file.preset", presetName(preset),
+               QCoreApplication::translate("Presets", preset.description.c_str())},
+              [&files, &preset] { files.startPreset(preset); })
+        ->setObjectName("file.preset." + QString::fromStdString(preset.id));
+  }
+}
+
+QMenu& addSubmenu(QMenu& menu, const char* id, const QString& title) {
+  QMenu* submenu = menu.addMenu(title);
+  submenu->setObjectName(id);
+  submenu->setToolTipsVisible(true);
+  return *submenu;
+}
+
+}  // namespace
+
+void buildFileMenu(QMenu& menu, const MenuParts& parts) {
+  FileController& files = parts.files;
+  addAction(menu,
+            {"file.new", tr("&New"), tr("Start over with the first preset"), {QKeySequence::New}},
+            [&files] { files.startNew(); });
+  addAction(menu, {"file.open", tr("&Open…"), tr("Open a scene file"), {QKeySequence::Open}},
+            [&files] { files.open(); });
+  QMenu& recent = addSubmenu(menu, "menu.file.recent", tr("Open &Recent"));
+  QObject::connect(&recent, &QMenu::aboutToShow, &recent,
+                   [&recent, &files] { fillRecent(recent, files); });
+  fillRecent(recent, files);
+  fillPresets(addSubmenu(menu, "menu.file.presets", tr("&Presets")), files);
+  menu.addSeparator();
+  addAction(menu, {"file.save", tr("&Save"), tr("Save the scene"), {QKeySequence::Save}},
+            [&files] { files.save(); });
+  addAction(menu,
+            {"file.save-as",
+             tr("Save &As…"),
+             tr("Save the scene under another name"),
+             {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}},
+            [&files] { files.saveAs(); });
+  addAction(menu,
+            {"file.export",
+             tr("&Export…"),
+             tr("Write the picture as SVG, PDF, PNG or TikZ"),
+             {QKeySequence(Qt::CTRL | Qt::Key_E)}},
+            parts.exportFigure);
+  menu.addSeparator();
+  QMainWindow& window = parts.window;
+  addAction(
+      menu,
+      {"file.quit", tr("&Quit"), tr("Close the window"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}},
+      [&window] { window.close(); });
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+
+#include "ui/app/edit_controller.h"
+#include "ui/app/file_controller.h"
+#include "ui/flat/canvas.h"
+
+class QDockWidget;
+class QSettings;
+
+namespace flatland::ui {
+
+class KeySheet;
+class MessageBar;
+class StatusLine;
+
+/// The window: puts models, canvas, panels, menus and status line together and does nothing else.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// Shows `scene` as an unnamed document. `settings` keeps layout, recent files and choices from
+  /// one session to the next and outlives the window; null: everything as on the first day.
+  MainWindow(Scene scene, const QString& originName, QSettings* settings);
+  ~MainWindow() override;
+
+  // For what drives the window from outside: the start of the program, tests.
+  Document& document() { return document_; }
+  Selection& selection() { return selection_; }
+  Viewport& viewport() { return viewport_; }
+  Display& display() { return display_; }
+  Stage& stage() { return stage_; }
+  FlatCanvas& canvas() { return *canvas_; }
+  FileController& files() { return *files_; }
+
+  void showKeys();
+  void exportFigure();
+  void restoreDefaultLayout();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildCentre();
+  void buildDocks();
+  void buildMenuBar();
+  void connectParts();
+  QDockWidget* addDock(const char* id, const QString& title, QWidget* panel,
+                       Qt::DockWidgetArea area);
+  void showTitle();
+  void showAbout();
+
+  QSettings* settings_;
+  Document document_;
+  Selection selection_;
+  Viewport viewport_;
+  Display display_;
+  Stage stage_;
+  MessageBar* messages_ = nullptr;
+  FlatCanvas* canvas_ = nullptr;
+  StatusLine* status_ = nullptr;
+  FileController* files_ = nullptr;
+  EditController* edits_ = nullptr;
+  KeySheet* keys_ = nullptr;
+  QDockWidget* viewDock_ = nullptr;
+  QDockWidget* legendDock_ = nullptr;
+  QDockWidget* pointsDock_ = nullptr;
+  QDockWidget* marksDock_ = nullptr;
+};
+
+}  // namespace flatland::ui

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+
+namespace flatland::ui {
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this)) {
+  setObjectName("message");
+  setAccessibleName(tr("Message"));
+  setFrameShape(QFrame::StyledPanel);
+  // Black on a warm yellow reads 15 : 1, in a light theme as in a dark one.
+  setStyleSheet(
+      "#message { background: #fbe8a6; border: 1px solid #c9a227; } #message QLabel { color: "
+      "#1a1a1a; }");
+  auto* symbol = new QLabel(this);
+  const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
+  symbol->setPixmap(style()->standardIcon(QStyle::SP_MessageBoxWarning).pixmap(size, size));
+  label_->setObjectName("message.text");
+  label_->setWordWrap(true);
+  label_->setTextFormat(Qt::PlainText);
+  label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* close = new QToolButton(this);
+  close->setObjectName("message.close");
+  close->setIcon(style()->standardIcon(QStyle::SP_DockWidgetCloseButton));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Close this message"));
+  close->setAccessibleName(tr("Close this message"));
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 5, 5, 5);
+  layout->addWidget(symbol, 0, Qt::AlignTop);
+  layout->addWidget(label_, 1);
+  layout->addWidget(close, 0, Qt::AlignTop);
+  hide();
+}
+
+void MessageBar::showError(const QString& text) {
+  label_->setText(text);
+  show();
+}
+
+QString MessageBar::text() const { return label_->text(); }
+
+}  // namespace flatland::ui

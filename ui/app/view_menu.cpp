@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+
+#include "ui/app/menus.h"
+
+namespace flatland::ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ViewMenu", text); }
+
+constexpr double kZoomStep = 1.25;
+
+/// The next or previous one of canvas and open docks gets the focus.
+void movePane(const MenuParts& parts, int step) {
+  QList<QWidget*> panes{&parts.canvas};
+  for (QDockWidget* dock : parts.docks) {
+    if (dock->isVisible() && !dock->visibleRegion().isEmpty()) panes << dock->widget();
+  }
+  qsizetype now = 0;
+  const QWidget* focus = QApplication::focusWidget();
+  for (qsizetype i = 0; i < panes.size(); ++i) {
+    if (focus && (panes[i] == focus || panes[i]->isAncestorOf(focus))) now = i;
+  }
+  panes[(now + step + panes.size()) % panes.size()]->setFocus(Qt::ShortcutFocusReason);
+}
+
+void addZoom(QMenu& menu, const MenuParts& parts) {
+  FlatCanvas& canvas = parts.canvas;
+  Viewport& viewport = parts.models.viewport;
+  addAction(menu, {"view.fit", tr("&Fit"), tr("Show the whole scene"), {QKeySequence(Qt::Key_F)}},
+            [&canvas] { canvas.fit(); });
+  addAction(menu,
+            {"view.zoom-in",
+             tr("Zoom &In"),
+             tr("Show it larger"),
+             {QKeySequence(Qt::CTRL | Qt::Key_Plus), QKeySequence(Qt::CTRL | Qt::Key_Equal)}},
+            [&viewport] { viewport.zoomAtCentre(kZoomStep); });
+  addAction(menu,
+            {"view.zoom-out",
+             tr("Zoom &Out"),
+             tr("Show it smaller"),
+             {QKeySequence(Qt::CTRL | Qt::Key_Minus)}},
+            [&viewport] { viewport.zoomAtCentre(1.0 / kZoomStep); });
+}
+
+void addAngles(QMenu& menu, EditController& edits) {
+  const int keys[] = {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4};
+  for (int i = 0; i < 4; ++i) {
+    const int degrees = 90 * i;
+    addAction(menu,
+              {"view.from",
+               tr("View from %1°").arg(degrees),
+               tr("Put the viewer at %1°").arg(degrees),
+               {QKeySequence(keys[i])}},
+              [&edits, degrees] { edits.setAngle(degrees); })
+        ->setObjectName(QStringLiteral("view.from.%1").arg(degrees));
+  }
+}
+
+void addSwitches(QMenu& menu, const MenuParts& parts) {
+  Display& display = parts.models.display;
+  EditController& edits = parts.edits;
+  Document& document = parts.models.document;
+  QAction* perspective = addSwitch(menu,
+                                   {"view.perspective",
+                                    tr("&Perspective"),
+                                    tr("The viewer stands at a distance"),
+                                    {QKeySequence(Qt::Key_P)}},
+                                   [&edits](bool on) { edits.togglePerspective(on); });
+  QAction* polygon = addSwitch(menu,
+                               {"view.control-polygon",
+                                tr("&Control Polygon"),
+                                tr("Show the lines between the control points"),
+                                {QKeySequence(Qt::Key_C)}},
+                               [&display](bool on) { display.setShowsControlPolygon(on); });
+  QAction* hidden = addSwitch(menu,
+                              {"view.hidden",
+                               tr("&Hidden Parts"),
+                               tr("Show what the viewer cannot see, paler"),
+                               {QKeySequence(Qt::Key_D)}},
+                              [&display](bool on) { display.setShowsHidden(on); });
+  const auto showDisplay = [&display, polygon, hidden] {
+    polygon->setChecked(display.showsControlPolygon());
+    hidden->setChecked(display.showsHidden());
+  };
+  const auto showView = [&document, perspective] {
+    perspective->setChecked(document.scene().view.distance.has_value());
+  };
+  QObject::connect(&display, &Display::changed, &menu, showDisplay);
+  QObject::connect(&document, &Document::changed, &menu, [showView](const Change& change) {
+    if (change.what == Change::What::View || change.what == Change::What::Scene) showView();
+  });
+  showDisplay();
+  showView();
+}
+
+}  // namespace
+
+void buildViewMenu(QMenu& menu, const MenuParts& parts) {
+  addZoom(menu, parts);
+  menu.addSeparator();
+  addAngles(menu, parts.edits);
+  menu.addSeparator();
+  addSwitches(menu, parts);
+  menu.addSeparator();
+  for (QDockWidget* dock : parts.docks) {
+    QAction* toggle = dock->toggleViewAction();
+    toggle->setObjectName("view.dock." + dock->objectName());
+    toggle->setStatusTip(tr("Show or close this panel"));
+    toggle->setToolTip(toggle->statusTip());
+    menu.addAction(toggle);
+  }
+  addAction(menu,
+            {"view.restore-layout", tr("&Restore Panels"), tr("All panels back to their places")},
+            parts.restoreLayout);
+  menu.addSeparator();
+  addAction(menu,
+            {"view.next-pane",
+             tr("&Next Pane"),
+             tr("Move the focus on: canvas, panels"),
+             {QKeySequence(Qt::Key_F6)}},
+            [parts] { movePane(parts, 1); });
+  addAction(menu,
+            {"view.previous-pane",
+             tr("Pre&vious Pane"),
+             tr("Move the focus back"),
+             {QKeySequence(Qt::SHIFT | Qt::Key_F6)}},
+            [parts] { movePane(parts, -1); });
+}
+
+}  // namespace flatland::ui

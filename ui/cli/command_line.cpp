@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cli/command_line.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string_view>
+#include <system_error>
+
+#include "flatland/io/input_error.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr int kSmallestSide = 16;
+constexpr int kLargestSide = 32768;
+
+std::optional<PixelSize> parsedSize(std::string_view text) {
+  const std::size_t x = text.find('x');
+  if (x == std::string_view::npos) return std::nullopt;
+  PixelSize size{};
+  const auto read = [](std::string_view part, int& number) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+    return error == std::errc() && end == part.data() + part.size() && number >= kSmallestSide &&
+           number <= kLargestSide;
+  };
+  if (!read(text.substr(0, x), size.width) || !read(text.substr(x + 1), size.height)) {
+    return std::nullopt;
+  }
+  return size;
+}
+
+std::string sizeText(const PixelSize& size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+}  // namespace
+
+void addViewAngle(CLI::App& command, std::optional<double>& angleDeg) {
+  command
+      .add_option_function<double>(
+          "--view-angle", [&angleDeg](const double& value) { angleDeg = value; },
+          "See the scene from this direction instead of its own: degrees counter-clockwise "
+          "from +x, from the scene to the viewer")
+      ->type_name("DEG")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double value = 0.0;
+            const bool isFinite = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+            return isFinite ? std::string() : "expected a number of degrees, found " + text;
+          },
+          ""));
+}
+
+void addSize(CLI::App& command, PixelSize& size) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&size](const std::string& text) { size = *parsedSize(text); },
+          "Width and height in pixels [" + sizeText(size) + "]")
+      ->type_name("WxH")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return parsedSize(text)
+                       ? std::string()
+                       : "expected WxH in pixels from " + std::to_string(kSmallestSide) + " to " +
+                             std::to_string(kLargestSide) + ", for example 800x600, found " + text;
+          },
+          ""));
+}
+
+std::string shellLine(int argc, const char* const* argv) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/@%";
+  std::string line = "flatland";  // wherever it was started from
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    line += ' ';
+    if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string_view::npos) {
+      line += argument;
+      continue;
+    }
+    line += '\'';
+    for (const char c : argument) {
+      if (c == '\'') {
+        line += "'\\''";
+      } else {
+        line += c;
+      }
+    }
+    line += '\'';
+  }
+  return line;
+}
+
+void writeToStandardOutput(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written || std::fflush(stdout) != 0) {
+    throw InputError("standard output", "",
+                     "cannot be written: " + std::generic_category().message(errno));
+  }
+}
+
+}  // namespace flatland::ui

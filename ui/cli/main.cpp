@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdio>
+
+#include "flatland/io/input_error.h"
+#include "ui/cli/command_line.h"
+
+namespace {
+
+using namespace flatland::ui;
+
+/// One line on standard error, whatever the message holds.
+int report(std::string message, ExitCode code) {
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::fprintf(stderr, "flatland: %s\n", message.c_str());
+  return code;
+}
+
+void describe(CLI::App& app) {
+  app.name("flatland");
+  app.set_version_flag("--version", "flatland " FLATLAND_VERSION);
+  app.footer(
+      "Examples:\n"
+      "  flatland                                  the window, on a curve that shows every mark\n"
+      "  flatland scene.json                       the window, on a scene of yours\n"
+      "  flatland features preset:thesis           every mark, as JSON\n"
+      "  flatland draw preset:thesis -o fig.svg    a picture (also .pdf, .png, .tex)\n"
+      "  flatland SUBCOMMAND --help                more on each\n"
+      "\n"
+      "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 internal error.\n");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "Flatland shows curves as a flatlander sees them: on a screen that is a line. It finds\n"
+      "silhouettes, ridges, valleys, inflections and apparent ridges, the maxima of "
+      "view-dependent\n"
+      "curvature.");
+  describe(app);
+  Action action;
+  addWindowCommand(app, action);
+  addFeaturesCommand(app, action);
+  addDrawCommand(app, action, shellLine(argc, argv));
+  addShotCommand(app, action);
+  addPresetsCommand(app, action);
+  app.require_subcommand(0, 1);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // help or version
+    std::string help = "flatland";
+    for (const CLI::App* command : app.get_subcommands()) help += " " + command->get_name();
+    return report(std::string(error.what()) + " (see " + help + " --help)", kBadUsage);
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const flatland::InputError& error) {
+    return report(error.what(), kBadInput);
+  } catch (const UsageError& error) {
+    return report(error.what(), kBadUsage);
+  } catch (const std::exception& error) {
+    return report(std::string("internal error: ") + error.what(), kInternalError);
+  }
+}

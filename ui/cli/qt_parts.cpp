@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cli/qt_parts.h"
+
+#include <QGuiApplication>
+#include <QtGlobal>
+#include <cstdio>
+#include <cstdlib>
+
+#include "ui/app/app.h"
+#include "ui/export/figure_qt.h"
+
+namespace flatland::ui {
+
+namespace {
+
+/// The arguments Qt gets to see: the program's name only, since the rest was read before.
+struct QtArguments {
+  std::string name = "flatland";
+  int argc = 1;
+  char* argv[2] = {name.data(), nullptr};
+};
+
+/// Passes Qt's messages on, but for two that are true of every run without a desktop and tell a
+/// person nothing.
+void passMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  for (const char* noise : {"QStandardPaths: XDG_RUNTIME_DIR not set",
+                            "This plugin does not support propagateSizeHints"}) {
+    if (message.startsWith(QLatin1String(noise))) return;
+  }
+  std::fprintf(stderr, "flatland: %s\n", qPrintable(message));
+  if (type == QtFatalMsg) std::abort();
+}
+
+/// Fonts need a QGuiApplication, but a file needs no display, nor should a broken one stop it.
+template <class Write>
+std::string withoutDisplay(const Write& write) {
+  qInstallMessageHandler(passMessage);
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  QtArguments arguments;
+  const QGuiApplication application(arguments.argc, arguments.argv);
+  return write();
+}
+
+}  // namespace
+
+void requireQt(const std::string&, const std::string&) {}
+
+std::string pdfWithQt(const Figure& figure, const FigureSource& source) {
+  return withoutDisplay([&] { return figureToPdf(figure, source); });
+}
+
+std::string pngWithQt(const Figure& figure, const FigureSource& source, double dpi) {
+  return withoutDisplay([&] { return figureToPng(figure, source, dpi); });
+}
+
+int windowWithQt(const std::optional<std::filesystem::path>& sceneFile,
+                 const std::optional<Scene>& scene) {
+  QtArguments arguments;
+  return runWindow(arguments.argc, arguments.argv, sceneFile, scene);
+}
+
+int shotWithQt(const std::optional<Scene>& scene, const std::filesystem::path& output, int width,
+               int height) {
+  qInstallMessageHandler(passMessage);
+  QtArguments arguments;
+  return takeShot(arguments.argc, arguments.argv, scene, output, width, height);
+}
+
+}  // namespace flatland::ui

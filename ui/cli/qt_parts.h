@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "flatland/scene/scene.h"
+#include "ui/export/figure.h"
+
+// What the command line needs Qt for. Built from qt_parts.cpp, or without Qt from
+// qt_parts_missing.cpp, where the first call for any of it throws UsageError.
+namespace flatland::ui {
+
+/// Throws UsageError ("<what> needs Qt, which this build was made without; <instead>") in a build
+/// without Qt.
+void requireQt(const std::string& what, const std::string& instead);
+
+/// See ui/export/figure_qt.h. No display is needed or used. Call one of these functions, once, in a
+/// process.
+std::string pdfWithQt(const Figure& figure, const FigureSource& source);
+std::string pngWithQt(const Figure& figure, const FigureSource& source, double dpi);
+
+/// See ui/app/app.h.
+int windowWithQt(const std::optional<std::filesystem::path>& sceneFile,
+                 const std::optional<Scene>& scene);
+int shotWithQt(const std::optional<Scene>& scene, const std::filesystem::path& output, int width,
+               int height);
+
+}  // namespace flatland::ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+#include "flatland/io/input_error.h"
+#include "ui/cli/command_line.h"
+#include "ui/cli/qt_parts.h"
+#include "ui/cli/scene_argument.h"
+
+namespace flatland::ui {
+
+namespace {
+
+bool isSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+/// Asked before Qt is, which ends the process when it finds no display.
+bool hasDisplay() {
+#if defined(__unix__) && !defined(__APPLE__)
+  return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM");
+#else
+  return true;
+#endif
+}
+
+int run(const std::string& argument) {
+  requireQt("The window", "use a subcommand; see flatland --help");
+  if (!hasDisplay()) {
+    throw UsageError(
+        "no display to show the window on (DISPLAY and WAYLAND_DISPLAY are not set); "
+        "flatland draw and flatland shot work without one");
+  }
+  if (argument.empty()) return windowWithQt(std::nullopt, std::nullopt);
+  if (!namesFile(argument)) return windowWithQt(std::nullopt, sceneFromArgument(argument));
+  // A file that cannot be understood is reported in the window; a mistyped name is better
+  // reported where it was typed.
+  std::error_code error;
+  if (!std::filesystem::exists(argument, error)) {
+    const int reason = error ? error.value() : ENOENT;
+    throw InputError(argument, "", "cannot be read: " + std::generic_category().message(reason));
+  }
+  return windowWithQt(argument, std::nullopt);
+}
+
+}  // namespace
+
+void addWindowCommand(CLI::App& app, Action& action) {
+  const auto scene = std::make_shared<std::string>();
+  app.add_option("scene", *scene, std::string(kSceneHelp) + "; shown in the window")
+      ->type_name("SCENE");
+  app.final_callback([&app, scene, &action] {
+    if (app.get_subcommands().empty()) action = [scene] { return run(*scene); };
+  });
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QUndoCommand>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "flatland/curve/chain_editing.h"
+#include "ui/model/document.h"
+#include "ui/model/selection.h"
+
+namespace flatland::ui {
+
+/// A command that belongs to no gesture is a step of its own.
+inline constexpr int kNoGesture = 0;
+
+/// Base of every edit of curves: holds the other list of curves and exchanges it with the
+/// document's, so undo and redo are the same swap. Obsolete from the start if nothing would change.
+/// Commands of one gesture (Document::newGesture) become one step, which vanishes if the gesture
+/// ends where it began.
+class CurvesCommand : public QUndoCommand {
+ public:
+  void undo() override { document_.swapCurves(curves_); }
+  void redo() override { document_.swapCurves(curves_); }
+  int id() const override;
+  bool mergeWith(const QUndoCommand* other) override;
+
+ protected:
+  CurvesCommand(Document& document, std::vector<SceneCurve> after, int gesture = kNoGesture);
+
+ private:
+  Document& document_;
+  std::vector<SceneCurve> curves_;
+  int gesture_;
+};
+
+/// Moves points by `delta`, counted from `from` (the scene when the gesture began): a drag, a
+/// nudge. A zero delta restores `from` to the last bit. Precondition: points exist in `from`.
+class MovePoints : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(MovePoints)
+ public:
+  MovePoints(Document& document, const Scene& from, const std::set<PointRef>& points,
+             const Vec2& delta, JointMode mode, int gesture = kNoGesture);
+};
+
+/// Puts one point at typed coordinates; its handles follow as in a drag (JointMode::Keep).
+class PlacePoint : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(PlacePoint)
+ public:
+  PlacePoint(Document& document, const PointRef& point, const Vec2& target);
+};
+
+/// Splits the curve at parameter t: the shape stays, one joint more.
+class InsertPoint : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(InsertPoint)
+ public:
+  InsertPoint(Document& document, std::size_t curve, double t);
+};
+
+/// Writes every piece of the curve with one more control point: the shape stays.
+class RaiseDegree : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(RaiseDegree)
+ public:
+  RaiseDegree(Document& document, std::size_t curve);
+};
+
+/// Turns the normal of the curve round.
+class FlipNormal : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(FlipNormal)
+ public:
+  FlipNormal(Document& document, std::size_t curve);
+};
+
+/// What is left without the points, or why they cannot go, in words for a person. A curve all
+/// of whose points are named goes as a whole.
+struct PointRemoval {
+  std::vector<SceneCurve> curves;
+  std::string reason;  ///< empty if the points can go
+
+  bool possible() const { return reason.empty(); }
+};
+PointRemoval withoutPoints(const Scene& scene, const std::set<PointRef>& points);
+
+/// Removes points. Precondition: removal.possible().
+class RemovePoints : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(RemovePoints)
+ public:
+  RemovePoints(Document& document, PointRemoval removal);
+};
+
+/// Adds a curve at the end.
+class AddCurve : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(AddCurve)
+ public:
+  AddCurve(Document& document, SceneCurve curve);
+};
+
+/// Removes the curve with all its points.
+class RemoveCurve : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(RemoveCurve)
+ public:
+  RemoveCurve(Document& document, std::size_t curve);
+};
+
+}  // namespace flatland::ui

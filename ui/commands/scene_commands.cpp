@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/commands/scene_commands.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "ui/commands/command_ids.h"
+
+namespace flatland::ui {
+
+SetView::SetView(Document& document, const View& view, int gesture)
+    : document_(document), view_(view), gesture_(gesture) {
+  assert(!view.distance || (*view.distance > 0.0 && std::isfinite(*view.distance)));
+  const bool perspective = view.distance.has_value();
+  setText(perspective != document.scene().view.distance.has_value() ? tr("change projection")
+                                                                    : tr("turn view"));
+  setObsolete(view_ == document_.scene().view);
+}
+
+int SetView::id() const { return gesture_ == 0 ? -1 : kViewCommandId; }
+
+bool SetView::mergeWith(const QUndoCommand* other) {
+  if (static_cast<const SetView*>(other)->gesture_ != gesture_) return false;
+  setObsolete(view_ == document_.scene().view);  // the other is done already
+  return true;
+}
+
+ReplaceScene::ReplaceScene(Document& document, Scene scene, const QString& text)
+    : QUndoCommand(text), document_(document), scene_(std::move(scene)) {
+  setObsolete(scene_ == document_.scene());
+}
+
+}  // namespace flatland::ui

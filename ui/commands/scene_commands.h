@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QUndoCommand>
+
+#include "ui/model/document.h"
+
+namespace flatland::ui {
+
+/// Sets from where the scene is seen. Undo and redo are one swap; obsolete from the start if the
+/// view is that already. Commands of one gesture become one step, which vanishes if the gesture
+/// ends where it began. Precondition: a distance, if set, is positive and finite.
+class SetView : public QUndoCommand {
+  Q_DECLARE_TR_FUNCTIONS(SetView)
+ public:
+  SetView(Document& document, const View& view, int gesture = 0);
+
+  void undo() override { document_.swapView(view_); }
+  void redo() override { document_.swapView(view_); }
+  int id() const override;
+  bool mergeWith(const QUndoCommand* other) override;
+
+ private:
+  Document& document_;
+  View view_;
+  int gesture_;
+};
+
+/// Exchanges the whole scene, as Reset to preset does. Obsolete from the start if it is the same.
+class ReplaceScene : public QUndoCommand {
+ public:
+  ReplaceScene(Document& document, Scene scene, const QString& text);
+
+  void undo() override { document_.swapScene(scene_); }
+  void redo() override { document_.swapScene(scene_); }
+
+ private:
+  Document& document_;
+  Scene scene_;
+};
+
+}  // namespace flatland::ui

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/label_placement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace flatland::ui {
+
+std::vector<double> spreadApart(const std::vector<double>& wanted, double gap) {
+  // Without its place in the row (i gap), "at least gap apart" is "not descending": isotonic
+  // regression, by pooling neighbours that are out of order into blocks at their mean.
+  struct Block {
+    double sum;
+    std::size_t count;
+    double mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Block block{wanted[i] - gap * static_cast<double>(i), 1};
+    while (!blocks.empty() && blocks.back().mean() >= block.mean()) {
+      block.sum += blocks.back().sum;
+      block.count += blocks.back().count;
+      blocks.pop_back();
+    }
+    blocks.push_back(block);
+  }
+  std::vector<double> placed;
+  placed.reserve(wanted.size());
+  for (const Block& block : blocks) {
+    for (std::size_t i = 0; i < block.count; ++i) {
+      placed.push_back(block.mean() + gap * static_cast<double>(placed.size()));
+    }
+  }
+  return placed;
+}
+
+void LabelPlacer::block(const Vec2& centre, const Vec2& half) { boxes_.push_back({centre, half}); }
+
+Vec2 LabelPlacer::place(const Vec2& anchor, const Vec2& half, const Vec2& preferred) {
+  constexpr std::array<double, 3> kRingsPx{14.0, 20.0, 27.0};
+  constexpr int kDirections = 16;
+  // Costs in px^2 of covered label: another label is worst, then the curve, then a long way off.
+  constexpr double kPointCost = 4.0;
+  constexpr double kRingCost = 12.0;
+  constexpr double kTurnCost = 3.0;
+
+  // Only what is near can be covered.
+  const double reach = kRingsPx.back() + half.norm();
+  std::vector<Vec2> nearPoints;
+  std::copy_if(points_.begin(), points_.end(), std::back_inserter(nearPoints),
+               [&](const Vec2& p) { return (p - anchor).squaredNorm() < reach * reach; });
+
+  Vec2 best = anchor + kRingsPx.front() * preferred;
+  double bestCost = std::numeric_limits<double>::infinity();
+  for (std::size_t ring = 0; ring < kRingsPx.size(); ++ring) {
+    for (int direction = 0; direction < kDirections; ++direction) {
+      // 0, 1, -1, 2, -2, ... steps from the preferred direction.
+      const int steps = (direction + 1) / 2 * (direction % 2 == 0 ? -1 : 1);
+      const double angle = 2.0 * std::numbers::pi * steps / kDirections;
+      const Vec2 unit = std::cos(angle) * preferred + std::sin(angle) * rotateCcw(preferred);
+      const Vec2 centre = anchor + kRingsPx[ring] * unit;
+      double cost = kRingCost * static_cast<double>(ring) + kTurnCost * std::abs(angle);
+      for (const Box& box : boxes_) {
+        const Vec2 overlap = (half + box.half) - (centre - box.centre).cwiseAbs();
+        if (overlap.minCoeff() > 0.0) cost += 10.0 + overlap.prod();
+      }
+      for (const Vec2& p : nearPoints) {
+        if (((p - centre).cwiseAbs() - half).maxCoeff() < 0.0) cost += kPointCost;
+      }
+      if (cost < bestCost) {
+        bestCost = cost;
+        best = centre;
+      }
+    }
+  }
+  block(best, half);
+  return best;
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "flatland/curve/vec2.h"
+
+namespace flatland::ui {
+
+/// The positions nearest to `wanted` (least squares) that keep its order and are at least `gap`
+/// apart. Precondition: wanted ascends, gap >= 0. Cost: linear.
+std::vector<double> spreadApart(const std::vector<double>& wanted, double gap);
+
+/// Finds room for small labels beside the things they name. Lengths in px, boxes by half their
+/// sides.
+class LabelPlacer {
+ public:
+  /// A box that a label must not cover: another label or a symbol.
+  void block(const Vec2& centre, const Vec2& half);
+
+  /// Something a label had better not cover, as a dense row of points; less is better.
+  void discourage(const Vec2& point) { points_.push_back(point); }
+
+  /// The centre for a label of half size `half` that names `anchor`: the best of three rings of
+  /// directions around it, those near the unit vector `preferred` first. The place is blocked then.
+  /// Where there is no free one, the least bad is returned.
+  Vec2 place(const Vec2& anchor, const Vec2& half, const Vec2& preferred);
+
+ private:
+  struct Box {
+    Vec2 centre, half;
+  };
+  std::vector<Box> boxes_;
+  std::vector<Vec2> points_;
+};
+
+}  // namespace flatland::ui

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/flat/canvas.h"
+
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPainter>
+#include <QPointingDevice>
+#include <cmath>
+
+#include "ui/commands/curve_commands.h"
+#include "ui/flat/canvas_painter.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr double kZoomPerNotch = 1.2;
+constexpr double kDegreesPerNotch = 120.0;  ///< QWheelEvent::angleDelta of one notch
+constexpr double kNudgePx = 2.0;            ///< one arrow key; Shift ten times, Ctrl or Alt a tenth
+
+Pointer pointerOf(const QMouseEvent& event) { return {event.position(), event.modifiers()}; }
+
+}  // namespace
+
+FlatCanvas::FlatCanvas(const CanvasModels& models, QWidget* parent)
+    : QWidget(parent), models_(models) {
+  setObjectName("canvas");
+  setAccessibleName(tr("Canvas"));
+  setAccessibleDescription(
+      tr("The curve with its control points, the view handle, the screen and the marks. Tab steps "
+         "through the points, arrow keys move them, F6 goes on to the panels."));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  const auto repaint = qOverload<>(&QWidget::update);
+  connect(&models_.document, &Document::changed, this, &FlatCanvas::documentChanged);
+  connect(&models_.selection, &Selection::changed, this, repaint);
+  connect(&models_.viewport, &Viewport::changed, this, repaint);
+  connect(&models_.display, &Display::changed, this, repaint);
+  connect(&models_.stage, &Stage::changed, this, repaint);
+  fit();
+}
+
+FlatCanvas::~FlatCanvas() = default;
+
+void FlatCanvas::fit() {
+  models_.stage.renew();
+  models_.viewport.fit(models_.stage.fitBox());
+}
+
+void FlatCanvas::documentChanged(const Change& change) {
+  if (!change.touchesScene()) return;
+  if (gesture_ && !gesture_->survives(change)) gesture_.reset();
+  hovered_ = {};  // what was there may have moved away
+  if (!gesture_) showHint();
+  if (change.what == Change::What::Scene) fit();
+  update();
+}
+
+bool FlatCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::NativeGesture) {
+    pinch(static_cast<const QNativeGestureEvent&>(*event));
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void FlatCanvas::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setFont(font());
+  paintCanvas(painter, models_, size(),
+              {.hovered = gesture_ ? Target{} : hovered_, .focused = showsFocus_ && hasFocus()});
+  if (gesture_) gesture_->paint(painter);
+}
+
+void FlatCanvas::resizeEvent(QResizeEvent*) { models_.viewport.setSize(size()); }
+
+void FlatCanvas::begin(std::unique_ptr<Gesture> gesture) {
+  gesture_ = std::move(gesture);
+  showHint();
+  update();
+}
+
+void FlatCanvas::cancelGesture() {
+  const std::unique_ptr<Gesture> gesture = std::move(gesture_);
+  gesture->cancel();
+  showHint();
+  update();
+}
+
+void FlatCanvas::mousePressEvent(QMouseEvent* event) {
+  if (gesture_) return;  // a second button changes nothing
+  const bool pan =
+      event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && panKey_);
+  if (pan) {
+    setCursor(Qt::ClosedHandCursor);
+    begin(beginPan(models_, pointerOf(*event)));
+  } else if (event->button() == Qt::LeftButton) {
+    begin(beginGesture(models_, targetAt(models_, size(), event->position()), pointerOf(*event),
+                       size()));
+  }
+}
+
+void FlatCanvas::mouseMoveEvent(QMouseEvent* event) {
+  if (gesture_) {
+    gesture_->move(pointerOf(*event));
+    showHint();
+    update();
+  } else {
+    hover(event->position());
+  }
+  emit pointerAt(models_.viewport.toWorld(event->position()));
+}
+
+void FlatCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  if (!gesture_ || event->buttons() != Qt::NoButton) return;
+  // Taken out first: what finish() changes must find no gesture under way.
+  const std::unique_ptr<Gesture> gesture = std::move(gesture_);
+  gesture->finish(pointerOf(*event));
+  hover(event->position());
+  update();
+}
+
+void FlatCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+  const Target target = targetAt(models_, size(), event->position());
+  if (event->button() == Qt::LeftButton && target.what == Target::What::Curve) {
+    insertPointAt(target);
+    hover(event->position());
+  } else {
+    mousePressEvent(event);  // two quick clicks on a point or on nothing are two clicks
+  }
+}
+
+void FlatCanvas::insertPointAt(const Target& target) {
+  const std::size_t curve = target.point.curve;
+  const BezierChain& chain = models_.document.scene().curves[curve].chain;
+  const auto joint = static_cast<std::size_t>((chain.locate(target.t).piece + 1) * chain.degree());
+  models_.document.push(std::make_unique<InsertPoint>(models_.document, curve, target.t));
+  models_.selection.setPoints({{curve, joint}});
+}
+
+void FlatCanvas::wheelEvent(QWheelEvent* event) {
+  const bool touchpad = event->device()->type() == QInputDevice::DeviceType::TouchPad;
+  if (touchpad && !event->modifiers().testFlag(Qt::ControlModifier)) {
+    const QPoint pixels = event->pixelDelta();
+    models_.viewport.panBy(pixels.isNull() ? QPointF(event->angleDelta()) / 8.0 : QPointF(pixels));
+  } else {
+    const double notches = event->angleDelta().y() / kDegreesPerNotch;
+    models_.viewport.zoomAt(event->position(), std::pow(kZoomPerNotch, notches));
+  }
+  event->accept();
+}
+
+void FlatCanvas::pinch(const QNativeGestureEvent& event) {
+  if (event.gestureType() != Qt::ZoomNativeGesture) return;
+  models_.viewport.zoomAt(event.position(), std::max(1.0 + event.value(), 0.1));
+}
+
+void FlatCanvas::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Escape:
+      if (gesture_) {
+        cancelGesture();
+      } else {
+        models_.selection.clear();
+      }
+      return;
+    case Qt::Key_Space:
+      if (!event->isAutoRepeat()) {
+        panKey_ = true;
+        if (!gesture_) setCursor(Qt::OpenHandCursor);
+      }
+      return;
+    case Qt::Key_Left:
+      return nudge({-1.0, 0.0}, *event);
+    case Qt::Key_Right:
+      return nudge({1.0, 0.0}, *event);
+    case Qt::Key_Up:
+      return nudge({0.0, 1.0}, *event);
+    case Qt::Key_Down:
+      return nudge({0.0, -1.0}, *event);
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void FlatCanvas::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Space) return QWidget::keyReleaseEvent(event);
+  if (event->isAutoRepeat()) return;
+  panKey_ = false;
+  if (!gesture_) unsetCursor();
+}
+
+void FlatCanvas::nudge(const Vec2& direction, const QKeyEvent& event) {
+  if (gesture_ || models_.selection.points().empty()) return;
+  double pixels = kNudgePx;
+  if (event.modifiers().testFlag(Qt::ShiftModifier)) pixels *= 10.0;
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) pixels /= 10.0;
+  if (!event.isAutoRepeat()) nudge_ = models_.document.newGesture();  // a held key is one step
+  models_.document.push(std::make_unique<MovePoints>(
+      models_.document, models_.document.scene(), models_.selection.points(),
+      direction * (pixels / models_.viewport.scale()), JointMode::Keep, nudge_));
+}
+
+void FlatCanvas::focusInEvent(QFocusEvent* event) {
+  showsFocus_ = event->reason() == Qt::TabFocusReason ||
+                event->reason() == Qt::BacktabFocusReason ||
+                event->reason() == Qt::ShortcutFocusReason;
+  update();
+}
+
+void FlatCanvas::focusOutEvent(QFocusEvent*) {
+  panKey_ = false;
+  unsetCursor();
+  update();
+}
+
+bool FlatCanvas::focusNextPrevChild(bool next) {
+  models_.selection.step(next ? 1 : -1);
+  return true;  // the Tab key stays here; F6 leads to the panels
+}
+
+void FlatCanvas::leaveEvent(QEvent*) {
+  if (gesture_) return;
+  hover(QPointF(-1e6, -1e6));
+  emit pointerAt(std::nullopt);
+}
+
+void FlatCanvas::hover(const QPointF& position) {
+  const Target target = targetAt(models_, size(), position);
+  if (panKey_) {
+    setCursor(Qt::OpenHandCursor);
+  } else if (target.what == Target::What::Nothing) {
+    unsetCursor();
+  } else {
+    const bool pick = target.what == Target::What::Mark;
+    setCursor(pick ? Qt::PointingHandCursor : Qt::SizeAllCursor);
+  }
+  const bool same = target == hovered_;
+  hovered_ = target;
+  showHint();
+  if (!same) update();
+}
+
+void FlatCanvas::showHint() {
+  emit hint(gesture_ ? gesture_->status() : describe(models_, hovered_));
+}
+
+}  // namespace flatland::ui

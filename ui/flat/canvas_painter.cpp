@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/flat/canvas_painter.h"
+
+#include <QGuiApplication>
+#include <QLineF>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+
+#include "ui/export/figure_qt.h"
+#include "ui/export/flat_figure.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr double kPointSizePx = 9.0;
+constexpr double kHaloPx = 8.0;  ///< radius of the ring around a hovered or selected mark
+
+/// The colours of the person's theme, in the palette the figure has for it.
+Palette figurePalette() {
+  const bool dark = QGuiApplication::palette().color(QPalette::Base).lightness() < 128;
+  return dark ? Palette::Dark : Palette::Light;
+}
+
+class CanvasPainter {
+ public:
+  CanvasPainter(QPainter& painter, const CanvasModels& models, const QSize& canvas,
+                const CanvasState& state)
+      : painter_(painter),
+        models_(models),
+        canvas_(canvas),
+        state_(state),
+        palette_(figurePalette()),
+        colours_(sceneColours(palette_)),
+        highlight_(QGuiApplication::palette().color(QPalette::Highlight)) {}
+
+  void paint() {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    painter_.fillRect(QRect(QPoint(), canvas_), toQColor(colours_.background));
+    paintRing();
+    if (models_.display.showsControlPolygon()) paintControlPolygons();
+    paintHoveredCurve();
+    paintPoints(false);
+    paintFigure();
+    paintSelectedMark();
+    paintHoveredMark();
+    paintPoints(true);
+    paintHandle();
+    if (models_.document.scene().curves.empty()) paintInvitation();
+    if (state_.focused) paintFocus();
+  }
+
+ private:
+  QPointF at(const Vec2& world) const { return models_.viewport.toWidget(world); }
+
+  void paintRing() {
+    const bool active = state_.hovered.what == Target::What::ViewHandle;
+    const double radius =
+        (models_.stage.handle() - models_.stage.pivot()).norm() * models_.viewport.scale();
+    painter_.setBrush(Qt::NoBrush);
+    painter_.setPen(
+        QPen(active ? highlight_ : toQColor(colours_.faint), active ? 1.5 : 1.0, Qt::DotLine));
+    painter_.drawEllipse(at(models_.stage.pivot()), radius, radius);
+  }
+
+  void paintControlPolygons() {
+    painter_.setBrush(Qt::NoBrush);
+    painter_.setPen(QPen(toQColor(colours_.controlPolygon), 1.0));
+    for (const SceneCurve& curve : models_.document.scene().curves) {
+      QPolygonF polygon;
+      for (const Vec2& p : curve.chain.points()) polygon << at(p);
+      if (curve.chain.closed()) polygon << polygon.front();
+      painter_.drawPolyline(polygon);
+    }
+  }
+
+  void paintHoveredCurve() {
+    if (state_.hovered.what != Target::What::Curve) return;
+    QColor glow = highlight_;
+    glow.setAlpha(90);
+    painter_.setPen(QPen(glow, 9.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter_.setBrush(Qt::NoBrush);
+    painter_.drawPath(pathOf(models_.document.scene().curves[state_.hovered.point.curve].chain));
+  }
+
+  QPainterPath pathOf(const BezierChain& chain) const {
+    QPainterPath path;
+    for (int i = 0; i < chain.pieceCount(); ++i) {
+      for (const Bezier& cubic : toCubics(chain.piece(i), 0.25 / models_.viewport.scale())) {
+        if (path.isEmpty()) path.moveTo(at(cubic.points.front()));
+        const Bezier full = asCubic(cubic);
+        path.cubicTo(at(full.points[1]), at(full.points[2]), at(full.points[3]));
+      }
+    }
+    return path;
+  }
+
+  static Bezier asCubic(Bezier curve) {
+    while (curve.degree() < 3) curve = elevated(curve);
+    return curve;
+  }
+
+  void paintFigure() {
+    FlatFigureOptions options;
+    options.width = canvas_.width();
+    options.height = canvas_.height();
+    const QPointF origin = at(Vec2::Zero());
+    options.transform = FigureTransform{models_.viewport.scale(), Vec2(origin.x(), origin.y())};
+    options.screenOffset = models_.stage.screenOffset();
+    options.kinds = models_.display.families();
+    options.palette = palette_;
+    options.hidden = models_.display.showsHidden() ? FlatFigureOptions::Hidden::Pale
+                                                   : FlatFigureOptions::Hidden::Remove;
+    options.legend = false;
+    options.transparent = true;  // the ring is below
+    Figure figure = flatFigure(models_.document.scene(), models_.document.features(),
+                               models_.document.visibility(), options);
+    std::erase_if(figure.groups, [](const FigureGroup& group) { return group.id == "viewer"; });
+    flatland::ui::paintFigure(painter_, figure);
+  }
+
+  /// Points lie below the marks, which often coincide with them; those that are `picked`, selected
+  /// or hovered, above.
+  void paintPoints(bool picked) {
+    const auto& curves = models_.document.scene().curves;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      for (std::size_t i = 0; i < curves[c].chain.points().size(); ++i) {
+        if (isPicked({c, i}) == picked) paintPoint({c, i}, curves[c].chain);
+      }
+    }
+  }
+
+  bool isPicked(const PointRef& ref) const {
+    return models_.selection.points().contains(ref) ||
+           (state_.hovered.what == Target::What::Point && state_.hovered.point == ref);
+  }
+
+  /// Joints are squares, handles circles; selected ones filled with the highlight colour.
+  void paintPoint(const PointRef& ref, const BezierChain& chain) {
+    const bool selected = models_.selection.points().contains(ref);
+    const bool hovered = state_.hovered.what == Target::What::Point && state_.hovered.point == ref;
+    const bool joint = chain.isJoint(ref.point);
+    if (!models_.display.showsControlPolygon() && !joint && !selected && !hovered) return;
+    const QPointF centre = at(chain.points()[ref.point]);
+    if (hovered) {
+      QColor glow = highlight_;
+      glow.setAlpha(90);
+      painter_.setPen(Qt::NoPen);
+      painter_.setBrush(glow);
+      painter_.drawEllipse(centre, kPointSizePx, kPointSizePx);
+    }
+    painter_.setPen(QPen(
+        selected ? highlight_.darker(130) : toQColor(paler(colours_.text, colours_.faint)), 1.5));
+    painter_.setBrush(selected ? highlight_ : toQColor(colours_.background));
+    const double half = kPointSizePx / 2.0;
+    if (joint) {
+      painter_.drawRect(QRectF(centre - QPointF(half, half), QSizeF(2 * half, 2 * half)));
+    } else {
+      painter_.drawEllipse(centre, half, half);
+    }
+  }
+
+  void paintSelectedMark() {
+    if (!models_.selection.mark()) return;
+    const auto index = indexOf(models_.document.features(), *models_.selection.mark());
+    if (index) paintHalo(models_.document.features().marks[*index], 2.5, true);
+  }
+
+  void paintHoveredMark() {
+    if (state_.hovered.what != Target::What::Mark) return;
+    const auto& marks = models_.document.features().marks;
+    if (state_.hovered.mark < marks.size()) paintHalo(marks[state_.hovered.mark], 1.5, false);
+  }
+
+  void paintHalo(const Mark& mark, double width, bool line) {
+    painter_.setPen(QPen(highlight_, width));
+    painter_.setBrush(Qt::NoBrush);
+    const QPointF onCurve = at(mark.point);
+    painter_.drawEllipse(onCurve, kHaloPx, kHaloPx);
+    const auto onScreen = markOnScreen(models_, mark);
+    if (!onScreen) return;
+    painter_.drawEllipse(*onScreen, kHaloPx, kHaloPx);
+    QLineF between(onCurve, *onScreen);
+    if (!line || between.length() <= 2.0 * kHaloPx) return;
+    between.setLength(between.length() - kHaloPx);
+    between.setP1(between.pointAt(kHaloPx / between.length()));
+    painter_.setPen(QPen(highlight_, 1.5));
+    painter_.drawLine(between);
+  }
+
+  /// An eye that looks at the scene.
+  void paintHandle() {
+    const HandlePlace place = handlePlace(models_, canvas_);
+    const bool hovered = state_.hovered.what == Target::What::ViewHandle;
+    painter_.save();
+    painter_.translate(place.at);
+    const QColor ink = hovered ? highlight_.darker(120) : toQColor(colours_.text);
+    painter_.setPen(QPen(ink, 1.8));
+    painter_.setBrush(toQColor(colours_.background));
+    painter_.drawEllipse(QPointF(), 14.0, 14.0);
+    QPainterPath lids(QPointF(-9.5, 0.0));
+    lids.quadTo(QPointF(0.0, -11.0), QPointF(9.5, 0.0));
+    lids.quadTo(QPointF(0.0, 11.0), QPointF(-9.5, 0.0));
+    painter_.setPen(QPen(ink, 1.4));
+    painter_.drawPath(lids);
+    // The pupil looks towards the scene; the eye itself stays upright.
+    QLineF gaze(QPointF(), at(models_.stage.pivot()) - place.at);
+    if (gaze.length() > 0.0) gaze.setLength(2.2);
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(ink);
+    painter_.drawEllipse(gaze.p2(), 3.2, 3.2);
+    painter_.restore();
+    if (place.atEdge) paintWayOut(place.at, ink);
+  }
+
+  /// The viewer is farther out than the canvas: an arrow says where.
+  void paintWayOut(const QPointF& from, const QColor& ink) {
+    QLineF way(from, at(models_.stage.handle()));
+    if (way.length() <= 0.0) return;
+    way.setLength(19.0);
+    const QLineF tip = way;
+    QLineF left(tip.p2(), tip.p1());
+    left.setLength(6.0);
+    QLineF right = left;
+    left.setAngle(left.angle() + 40.0);
+    right.setAngle(right.angle() - 40.0);
+    painter_.setPen(QPen(ink, 1.8));
+    painter_.drawLine(left);
+    painter_.drawLine(right);
+  }
+
+  void paintInvitation() {
+    painter_.setPen(toQColor(colours_.text));
+    painter_.drawText(QRect(QPoint(), canvas_), Qt::AlignCenter,
+                      QCoreApplication::translate(
+                          "FlatCanvas", "Nothing here yet. Curve > Add Curve draws one."));
+  }
+
+  void paintFocus() {
+    painter_.setPen(QPen(highlight_, 2.0));
+    painter_.setBrush(Qt::NoBrush);
+    painter_.drawRect(
+        QRectF(QPointF(1.0, 1.0), QSizeF(canvas_.width() - 2.0, canvas_.height() - 2.0)));
+  }
+
+  QPainter& painter_;
+  const CanvasModels& models_;
+  QSize canvas_;
+  const CanvasState& state_;
+  Palette palette_;
+  const SceneColours& colours_;
+  QColor highlight_;
+};
+
+}  // namespace
+
+void paintCanvas(QPainter& painter, const CanvasModels& models, const QSize& canvas,
+                 const CanvasState& state) {
+  painter.save();
+  CanvasPainter(painter, models, canvas, state).paint();
+  painter.restore();
+}
+
+}  // namespace flatland::ui

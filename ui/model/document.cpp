@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/model/document.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "flatland/io/scene_json.h"
+
+namespace flatland::ui {
+
+Document::Document(Scene scene, const QString& originName, QObject* parent)
+    : QObject(parent), scene_(std::move(scene)), origin_(scene_), originName_(originName) {}
+
+const FeatureSet& Document::features() const {
+  if (!features_) {
+    const auto start = std::chrono::steady_clock::now();
+    features_ = findFeatures(scene_);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    featureMilliseconds_ = took.count();
+    ++featureComputations_;
+  }
+  return *features_;
+}
+
+const Visibility& Document::visibility() const {
+  if (!visibility_) visibility_.emplace(scene_);
+  return *visibility_;
+}
+
+void Document::start(Scene scene, const QString& originName) {
+  replace(std::move(scene), originName, {});
+}
+
+void Document::open(const std::filesystem::path& file) {
+  Scene scene = loadScene(file);  // throws before anything is touched
+  replace(std::move(scene), {}, file);
+}
+
+void Document::save(const std::filesystem::path& file) {
+  saveScene(scene_, file);
+  undoStack_.setClean();
+  if (file_ == file) return;
+  file_ = file;
+  emit changed({Change::What::File});
+}
+
+void Document::replace(Scene scene, const QString& originName, std::filesystem::path file) {
+  scene_ = std::move(scene);
+  origin_ = scene_;
+  originName_ = originName;
+  file_ = std::move(file);
+  undoStack_.clear();
+  sceneChanged(Change::What::Scene);
+}
+
+void Document::sceneChanged(Change::What what) {
+  features_.reset();
+  visibility_.reset();
+  emit changed({what});
+}
+
+void Document::push(std::unique_ptr<QUndoCommand> command) {
+  if (!command->isObsolete()) undoStack_.push(command.release());
+}
+
+void Document::swapCurves(std::vector<SceneCurve>& curves) {
+  const bool samePoints = std::equal(
+      curves.begin(), curves.end(), scene_.curves.begin(), scene_.curves.end(),
+      [](const SceneCurve& a, const SceneCurve& b) {
+        return a.chain.points().size() == b.chain.points().size() &&
+               a.chain.degree() == b.chain.degree() && a.chain.closed() == b.chain.closed();
+      });
+  std::swap(scene_.curves, curves);
+  sceneChanged(samePoints ? Change::What::Points : Change::What::Topology);
+}
+
+void Document::swapView(View& view) {
+  std::swap(scene_.view, view);
+  sceneChanged(Change::What::View);
+}
+
+void Document::swapScene(Scene& scene) {
+  std::swap(scene_, scene);
+  sceneChanged(Change::What::Scene);
+}
+
+}  // namespace flatland::ui

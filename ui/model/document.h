@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QUndoStack>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "flatland/features/features.h"
+#include "flatland/scene/scene.h"
+#include "flatland/screen/visibility.h"
+
+namespace flatland::ui {
+
+/// What a change of the document touched, so that a view updates only what it shows of it.
+struct Change {
+  enum class What {
+    Points,    ///< points moved or a normal flipped; as many curves and points as before
+    Topology,  ///< curves or points came or went
+    View,      ///< the direction or distance of the viewer
+    Scene,     ///< another scene altogether
+    File,      ///< only the name of the file
+  };
+  What what;
+
+  bool touchesScene() const { return what != What::File; }
+};
+
+/// The scene being edited, its marks, its file and its undo stack: the one place where they live.
+/// Reading is open to all; the scene changes through commands (ui/commands) only, and each of them
+/// sends `changed` exactly once.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  Document(Scene scene, const QString& originName, QObject* parent = nullptr);
+
+  const Scene& scene() const { return scene_; }
+
+  /// The marks of the scene. Computed at the first call after a change and kept until the next.
+  const FeatureSet& features() const;
+
+  /// What of the scene can be seen; computed and kept likewise.
+  const Visibility& visibility() const;
+
+  /// How long the last computation of the marks took, in milliseconds, and how many there were.
+  double featureMilliseconds() const { return featureMilliseconds_; }
+  int featureComputations() const { return featureComputations_; }
+
+  QUndoStack& undoStack() { return undoStack_; }
+  bool isModified() const { return !undoStack_.isClean(); }
+
+  /// Does a command: the one way to edit. One that is obsolete from the start, because it would
+  /// change nothing, is dropped without a trace: no signal, and what was undone can still be
+  /// redone.
+  void push(std::unique_ptr<QUndoCommand> command);
+
+  /// The file the scene came from or was last saved to; empty for a new one.
+  const std::filesystem::path& file() const { return file_; }
+
+  /// The scene as it was started or opened: what Reset goes back to.
+  const Scene& origin() const { return origin_; }
+  /// What a person calls it: the preset's name; empty for a scene from a file.
+  const QString& originName() const { return originName_; }
+
+  /// Starts over with an unnamed scene; undo steps are forgotten.
+  void start(Scene scene, const QString& originName);
+
+  /// Replaces the scene by that of a file; undo steps are forgotten. Throws InputError, and then
+  /// nothing has changed.
+  void open(const std::filesystem::path& file);
+
+  /// Saves atomically and takes on the file's name. Throws InputError, and then nothing has
+  /// changed.
+  void save(const std::filesystem::path& file);
+
+  /// A number no other gesture of this document has; commands with the same one become one step.
+  int newGesture() { return ++lastGesture_; }
+
+  // For the commands. Each exchanges the argument with what the document holds, so doing it
+  // twice restores both, and sends `changed` once.
+
+  void swapCurves(std::vector<SceneCurve>& curves);
+  void swapView(View& view);
+  void swapScene(Scene& scene);
+
+ signals:
+  void changed(const flatland::ui::Change& change);
+
+ private:
+  void replace(Scene scene, const QString& originName, std::filesystem::path file);
+  void sceneChanged(Change::What what);
+
+  Scene scene_;
+  Scene origin_;
+  QString originName_;
+  QUndoStack undoStack_;
+  std::filesystem::path file_;
+  int lastGesture_ = 0;
+  mutable std::optional<FeatureSet> features_;
+  mutable std::optional<Visibility> visibility_;
+  mutable double featureMilliseconds_ = 0.0;
+  mutable int featureComputations_ = 0;
+};
+
+}  // namespace flatland::ui
