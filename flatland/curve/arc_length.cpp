@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flatland/curve/arc_length.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -42,22 +43,36 @@ Panel integrate(const Bezier& hodograph, double t0, double t1) {
   return {kronrod * half, std::abs(kronrod - gauss) * half};
 }
 
-// Halves until Gauss and Kronrod agree to `accuracy`. The error of the Kronrod value is far below
-// the difference of the two, so the estimate is safe. 50 halvings reach the last bits of t.
+// Halves until Gauss and Kronrod agree, and also the whole with its halves, to a quarter of
+// `accuracy`: either difference alone can be small by chance where the speed has a narrow dip, as
+// it has near a cusp. 50 halvings reach the last bits of t.
 constexpr int kMaxDepth = 50;
+constexpr double kSafety = 4.0;
 
-ArcLength integrateTo(const Bezier& hodograph, double t0, double t1, double accuracy, int depth) {
-  const Panel panel = integrate(hodograph, t0, t1);
-  // Below a few ulps of the panel's own length the difference is rounding, not quadrature.
-  const double roundOff = 0x1p-50 * std::abs(panel.value);
-  if (panel.error <= std::max(accuracy, roundOff) || depth == kMaxDepth) {
-    return {panel.value, panel.error, true};
+// Below this part of (largest speed times panel width) the difference of the two sums is rounding:
+// the speed itself is rounded relative to its largest value, also near a cusp. Halving would not
+// help, and halving everywhere would never end.
+constexpr double kRoundOff = 0x1p-46;
+
+struct Quadrature {
+  const Bezier& hodograph;
+  double largestSpeed;
+
+  // `whole` is the panel [t0, t1].
+  ArcLength operator()(double t0, double t1, const Panel& whole, double accuracy, int depth) const {
+    const double mid = 0.5 * (t0 + t1);
+    const Panel low = integrate(hodograph, t0, mid), high = integrate(hodograph, mid, t1);
+    const double value = low.value + high.value;
+    const double error = std::max(low.error + high.error, std::abs(whole.value - value));
+    const double roundOff = kRoundOff * largestSpeed * (t1 - t0);
+    if (kSafety * error <= std::max(accuracy, roundOff) || depth == kMaxDepth) {
+      return {value, std::max(error, roundOff), true};
+    }
+    const ArcLength a = (*this)(t0, mid, low, 0.5 * accuracy, depth + 1);
+    const ArcLength b = (*this)(mid, t1, high, 0.5 * accuracy, depth + 1);
+    return {a.value + b.value, a.errorEstimate + b.errorEstimate, true};
   }
-  const double mid = 0.5 * (t0 + t1);
-  const ArcLength a = integrateTo(hodograph, t0, mid, 0.5 * accuracy, depth + 1);
-  const ArcLength b = integrateTo(hodograph, mid, t1, 0.5 * accuracy, depth + 1);
-  return {a.value + b.value, a.errorEstimate + b.errorEstimate, true};
-}
+};
 
 }  // namespace
 
@@ -73,7 +88,10 @@ ArcLength arcLength(const Bezier& curve, double t0, double t1, double accuracy) 
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
     hodograph.points.push_back(curve.degree() * (curve.points[i + 1] - curve.points[i]));
   }
-  ArcLength length = integrateTo(hodograph, t0, t1, accuracy, 0);
+  double largestSpeed = 0.0;
+  for (const Vec2& v : hodograph.points) largestSpeed = std::max(largestSpeed, v.norm());
+  ArcLength length =
+      Quadrature{hodograph, largestSpeed}(t0, t1, integrate(hodograph, t0, t1), accuracy, 0);
   length.converged = length.errorEstimate <= accuracy;
   return length;
 }

@@ -14,8 +14,8 @@ struct ArcLength {
 
 /// Arc length of the curve over [t0, t1] (negative if t1 < t0) to the absolute `accuracy`
 /// (length > 0). Adaptive Gauss-Legendre quadrature, pieces halved until two orders agree; cusps
-/// cost more panels but converge. An accuracy below about 1e-15 of the length cannot be reached
-/// and is reported so.
+/// cost more panels but converge. An accuracy below about 1e-14 of the control polygon cannot be
+/// reached and is reported so.
 ArcLength arcLength(const Bezier& curve, double t0, double t1, double accuracy);
 ArcLength arcLength(const BezierChain& chain, double t0, double t1, double accuracy);
 

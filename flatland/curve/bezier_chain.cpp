@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "flatland/roots/isolate.h"
+
 namespace flatland {
 
 BezierChain::BezierChain(Bezier bezier)
@@ -113,9 +115,8 @@ BezierChain reversed(const BezierChain& chain) {
 }
 
 double twiceSignedArea(const BezierChain& chain) {
-  // Integral of cross(p - origin, dp) piece by piece, by Gauss-Legendre of enough points to be
-  // exact would do; the control polygon form is shorter: for a Bezier piece the integral is sum_ij
-  // cross(P_i, P_j - P_i weights); here by exact Bernstein integration of p x p'.
+  // int (p - origin) x dp, piece by piece, by the exact integrals of products of Bernstein
+  // polynomials.
   const Vec2 origin = chain.points().front();
   double area = 0.0;
   for (int m = 0; m < chain.pieceCount(); ++m) {
@@ -139,34 +140,25 @@ double twiceSignedArea(const BezierChain& chain) {
 }
 
 Nearest nearestPoint(const BezierChain& chain, const Vec2& p) {
-  // Enough samples per piece to land in the basin of the nearest point of any curve a hand can
-  // draw; then golden-section search, which needs no derivative and survives cusps.
-  const int samples = 16 * chain.degree();
+  // The ends, and every root of (curve - p) . derivative.
   Nearest best{0.0, std::numeric_limits<double>::infinity()};
   for (int m = 0; m < chain.pieceCount(); ++m) {
     const Bezier piece = chain.piece(m);
-    const auto distanceSq = [&](double t) { return (pointAt(piece, t) - p).squaredNorm(); };
-    int nearest = 0;
-    double nearestSq = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= samples; ++i) {
-      const double dSq = distanceSq(static_cast<double>(i) / samples);
-      if (dSq < nearestSq) nearestSq = dSq, nearest = i;
+    const auto consider = [&](double t) {
+      const double distance = (pointAt(piece, t) - p).norm();
+      if (distance < best.distance) best = {m + t, distance};
+    };
+    consider(0.0);
+    consider(1.0);
+    std::vector<double> x, y;
+    for (const Vec2& point : piece.points) {
+      x.push_back(point.x() - p.x());
+      y.push_back(point.y() - p.y());
     }
-    if (std::sqrt(nearestSq) > 2.0 * best.distance && best.distance > 0.0) continue;
-    double a = std::max(0, nearest - 1) / static_cast<double>(samples);
-    double b = std::min(samples, nearest + 1) / static_cast<double>(samples);
-    constexpr double kGolden = 0.6180339887498949;
-    for (int i = 0; i < 42; ++i) {  // 0.618^42 is about 2e-9 of a sample step
-      const double x1 = b - kGolden * (b - a), x2 = a + kGolden * (b - a);
-      (distanceSq(x1) <= distanceSq(x2) ? b : a) = distanceSq(x1) <= distanceSq(x2) ? x2 : x1;
-    }
-    double t = 0.5 * (a + b);
-    // The ends are legal answers that the search only approaches.
-    for (const double end : {0.0, 1.0}) {
-      if (distanceSq(end) <= distanceSq(t)) t = end;
-    }
-    const double distance = std::sqrt(distanceSq(t));
-    if (distance < best.distance) best = {m + t, distance};
+    const Bernstein bx = Bernstein::fromDoubles(x), by = Bernstein::fromDoubles(y);
+    const Roots roots = isolateRoots(bx * derivative(bx) + by * derivative(by));
+    for (const Root& root : roots.roots) consider(root.t);
+    for (const RootInterval& open : roots.unresolved) consider(0.5 * (open.low + open.high));
   }
   return best;
 }

@@ -74,8 +74,8 @@ BezierChain reversed(const BezierChain& chain);
 /// counter-clockwise. Exact up to rounding.
 double twiceSignedArea(const BezierChain& chain);
 
-/// The nearest point of the chain to `p`: its parameter and distance. For picking: sampled, then
-/// refined; the parameter is accurate to about 1e-8 where the nearest point is unique.
+/// The nearest point of the chain to `p`: its parameter and distance, by certified roots
+/// (roots/isolate.h), so no nearer branch is missed. Where several points are equally near, one of them.
 struct Nearest {
   double t;
   double distance;

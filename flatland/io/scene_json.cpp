@@ -202,8 +202,8 @@ void checkVersion(const Node& top) {
   if (!node) top.fail("missing \"flatland\": 1, which marks a scene and its version");
   const int version = node->wholeNumber();
   if (version > kVersion) {
-    node->fail("version " + std::to_string(version) + " is newer than this program, which reads " +
-               std::to_string(kVersion));
+    node->fail("version " + std::to_string(version) +
+               " was made by a newer Flatland; this one reads version " + std::to_string(kVersion));
   }
   if (version != kVersion) node->fail("expected version 1, found " + std::to_string(version));
 }

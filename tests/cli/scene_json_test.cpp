@@ -214,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"list", "[]", "top level", "expected an object, found a list"},
         BadScene{"noVersion", R"({"curves": []})", "top level", "missing \"flatland\": 1"},
         BadScene{"newer", R"({"flatland": 2, "curves": []})", "flatland",
-                 "version 2 is newer than this program, which reads 1"},
+                 "version 2 was made by a newer Flatland; this one reads version 1"},
         BadScene{"newerWithNewKeys", R"({"flatland": 3, "shapes": []})", "flatland", "newer"},
         BadScene{"zeroVersion", R"({"flatland": 0, "curves": []})", "flatland",
                  "expected version 1, found 0"},

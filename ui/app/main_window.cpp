@@ -67,6 +67,8 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
 }
 
 MainWindow::~MainWindow() {
+  // An undo stack that goes tells that it is clean; there is no title left to show it.
+  disconnect(&document_.undoStack(), nullptr, this, nullptr);
   // The widgets look at the models to their end, so they go first.
   delete takeCentralWidget();
   for (QDockWidget* dock : {viewDock_, legendDock_, pointsDock_, marksDock_}) delete dock;
