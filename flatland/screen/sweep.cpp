@@ -7,6 +7,7 @@
 
 #include "flatland/curve/arc_length.h"
 #include "flatland/features/curve_marks.h"
+#include "flatland/features/orientation.h"
 #include "flatland/features/regular_arc.h"
 #include "flatland/roots/isolate.h"
 
@@ -34,8 +35,8 @@ double silhouetteAngleDeg(const Jet& jet) { return angleDegOf(jet.d1); }
 /// Sweeps one curve.
 class CurveSweeper {
  public:
-  CurveSweeper(int curve, const BezierChain& chain, Sweep& result)
-      : curve_(curve), chain_(chain), result_(result) {
+  CurveSweeper(int curve, const BezierChain& chain, int side, Sweep& result)
+      : curve_(curve), chain_(chain), side_(side), result_(result) {
     double polygon = 0.0;
     Vec2 low = chain.points().front(), high = low;
     for (int i = 0; i < chain.pieceCount(); ++i) {
@@ -159,6 +160,7 @@ class CurveSweeper {
 
   int curve_;
   const BezierChain& chain_;
+  int side_;
   Sweep& result_;
   double accuracy_ = 0.0, scale_ = 1.0, length_ = 0.0;
   Bezier piece_;
@@ -174,9 +176,11 @@ double halfTurnDeg(double angleDeg) {
 }
 
 Sweep sweepOf(const Scene& scene) {
+  const ViewFrame frame = frameOf(scene.view);
   Sweep result;
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
-    CurveSweeper(static_cast<int>(i), scene.curves[i].chain, result).run();
+    const SceneCurve& curve = scene.curves[i];
+    CurveSweeper(static_cast<int>(i), curve.chain, normalSide(curve, frame), result).run();
   }
   std::sort(result.events.begin(), result.events.end(),
             [](const SweepEvent& a, const SweepEvent& b) {

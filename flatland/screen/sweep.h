@@ -58,7 +58,8 @@ struct Sweep {
   bool complete = true;            ///< all events were isolated with certified signs
 };
 
-/// The sweep of a scene; its own view and distance do not matter.
+/// The sweep of a scene. Its own view only names the sides: ridge or valley as in that view. Its
+/// distance does not matter.
 Sweep sweepOf(const Scene& scene);
 
 /// Angle modulo 180 degrees, in (-90, 90].

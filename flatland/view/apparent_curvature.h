@@ -119,8 +119,8 @@ inline LargestEigen<2> largestEigen(const Eigen::Matrix2d& K, const Eigen::Vecto
 
 }  // namespace detail
 
-/// View-dependent curvature at a point (docs/math/view_dependent_curvature.md), after judd2007 with
-/// the offset term in closed form.
+/// View-dependent curvature at a point (docs/math/view_dependent_curvature.md), with the offset
+/// term in closed form (bibliography: judd2007).
 ///
 /// Degenerate answers. Silhouette, nw = 0: nullopt, for lambda has no finite value. K = 0: lambda,
 /// r and all terms 0, v = (1, 0), relativeGap 0 (1 for D = 1). Equal eigenvalues: every direction

@@ -171,6 +171,10 @@ TEST(FeaturesInvariance, Elevation) {
   }
 }
 
+// Rounding the control points of a piece of length s changes its third derivative by about
+// 1e-16 degree^3 / s^3, so far shorter pieces really are other curves, with marks of their own.
+constexpr double kShortestPiece = 0.02;
+
 TEST(FeaturesInvariance, SplittingAnywhereAndExactlyAtMarks) {
   Random random(announcedSeed("splitting", 16));
   for (int i = 0; i < 400; ++i) {
@@ -181,7 +185,7 @@ TEST(FeaturesInvariance, SplittingAnywhereAndExactlyAtMarks) {
       if (mark.curve == 0) places.push_back(mark.t);
     }
     for (const double t : places) {
-      if (!(t > 1e-6 && t < 1 - 1e-6)) continue;
+      if (!(t > kShortestPiece && t < 1 - kShortestPiece)) continue;
       Scene split = scene;
       split.curves[0].chain = splitAt(scene.curves[0].chain, t);
       ASSERT_EQ(split.curves[0].chain.pieceCount(), 2);

@@ -9,7 +9,7 @@
 namespace flatland::test {
 
 /// Counts the real roots of a polynomial in intervals with double end points by Sturm's theorem, in
-/// exact integers (subresultant remainders, Brown and Traub 1971): no tolerance anywhere. The
+/// exact integers by subresultant remainders (bibliography: brown1971): no tolerance anywhere. The
 /// polynomial must not be zero.
 class Sturm {
  public:

@@ -147,15 +147,17 @@ class EditingTest : public QObject {
 
   void ringStandsStillDuringADrag() {
     WindowDriver& d = *driver_;
-    const QPoint from = d.atPoint(2);
+    const QPoint from = d.atPoint(0);
+    const QPoint to = from + QPoint(-300, 100);
     const Vec2 handle = d.window().stage().handle();
     const double offset = d.window().stage().screenOffset();
     d.press(from);
-    d.move(from + QPoint(-180, -120));
+    d.move(to);
     d.settle();
     QVERIFY(d.window().stage().handle() == handle);
     QCOMPARE(d.window().stage().screenOffset(), offset);
-    d.release(from + QPoint(-180, -120));
+    d.release(to);
+    QVERIFY2(d.window().stage().handle() != handle, "it follows when the button is let go");
   }
 
   void turningTheHandleTurnsTheView() {

@@ -28,6 +28,8 @@ void addFeaturesCommand(CLI::App& app, Action& action);
 void addDrawCommand(CLI::App& app, Action& action, const std::string& commandLine);
 void addShotCommand(CLI::App& app, Action& action);
 void addPresetsCommand(CLI::App& app, Action& action);
+void addSweepCommand(CLI::App& app, Action& action, const std::string& commandLine);
+void addStudyCommand(CLI::App& app, Action& action);
 void addWindowCommand(CLI::App& app, Action& action);
 
 /// The option --view-angle DEG, any finite number of degrees.

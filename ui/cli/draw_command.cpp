@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
-#include "flatland/io/atomic_file.h"
 #include "flatland/io/scene_json.h"
 #include "ui/cli/command_line.h"
-#include "ui/cli/qt_parts.h"
+#include "ui/cli/picture.h"
 #include "ui/cli/scene_argument.h"
-#include "ui/export/figure_writers.h"
 #include "ui/export/flat_figure.h"
 
 namespace flatland::ui {
@@ -30,41 +26,8 @@ struct Options {
   bool dark = false;
 };
 
-std::string allKindNames() {
-  std::string names;
-  for (int i = 0; i < kMarkKindCount; ++i) {
-    names += (names.empty() ? "" : ", ") + std::string(nameOf(static_cast<MarkKind>(i)));
-  }
-  return names;
-}
-
-std::string whyNotKind(const std::string& name) {
-  if (name == "all" || name == "none" || markKindNamed(name)) return {};
-  return "unknown kind " + name + "; there are " + allKindNames() + ", all, none";
-}
-
-MarkKinds kindsNamed(const std::vector<std::string>& names) {
-  if (names.empty()) return defaultMarkKinds();
-  MarkKinds kinds;
-  for (const std::string& name : names) {
-    if (name == "all") kinds.set();
-    if (const auto kind = markKindNamed(name)) kinds.set(static_cast<std::size_t>(*kind));
-  }
-  return kinds;
-}
-
-std::string extensionOf(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 std::string whyNotOutput(const std::string& file) {
-  const std::string extension = extensionOf(file);
-  for (const char* known : {".svg", ".pdf", ".png", ".tex"}) {
-    if (extension == known) return {};
-  }
+  if (isPicture(file)) return {};
   return "the name " + file + " should end in .svg, .pdf, .png or .tex";
 }
 
@@ -83,18 +46,8 @@ FlatFigureOptions figureOptions(const Options& options) {
   return figure;
 }
 
-std::string fileContents(const Options& options, const Figure& figure, const FigureSource& source) {
-  const std::string extension = extensionOf(options.output);
-  if (extension == ".svg") return figureToSvg(figure, source);
-  if (extension == ".tex") return figureToTikz(figure, source);
-  if (extension == ".pdf") return pdfWithQt(figure, source);
-  return pngWithQt(figure, source, options.dpi);
-}
-
 int run(const Options& options, const std::string& commandLine) {
-  if (extensionOf(options.output) == ".pdf" || extensionOf(options.output) == ".png") {
-    requireQt("A PDF or PNG file", "write .svg or .tex");
-  }
+  requireQtFor(options.output);
   Scene scene = sceneFromArgument(options.scene);
   if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
   const Figure figure =
@@ -104,7 +57,7 @@ int run(const Options& options, const std::string& commandLine) {
       .program = "flatland " FLATLAND_VERSION,
       .command = commandLine,
       .sceneJson = sceneToJson(scene)};
-  writeFileAtomically(options.output, fileContents(options, figure, source));
+  writePicture(options.output, figure, source, options.dpi);
   return kDone;
 }
 
@@ -128,13 +81,7 @@ void addDrawCommand(CLI::App& app, Action& action, const std::string& commandLin
                   "PNG: pixels per inch; a pixel of --size is 1/96 inch, so 192 doubles it [96]")
       ->type_name("DPI")
       ->check(CLI::Range(8.0, 4800.0).description(""));
-  command
-      .add_option("--kinds", options->kinds,
-                  "Marks to show, separated by commas: " + allKindNames() +
-                      ", all, none [all but flat and apparent-minimum]")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::Validator(whyNotKind, ""));
+  addKinds(command, options->kinds);
   command
       .add_option("--hidden", options->hidden, "What the viewer cannot see: pale or remove [pale]")
       ->type_name("HOW")

@@ -26,6 +26,8 @@ void describe(CLI::App& app) {
       "  flatland scene.json                       the window, on a scene of yours\n"
       "  flatland features preset:thesis           every mark, as JSON\n"
       "  flatland draw preset:thesis -o fig.svg    a picture (also .pdf, .png, .tex)\n"
+      "  flatland sweep preset:thesis -o sweep.svg the marks for every view direction\n"
+      "  flatland study offset                     how large the offset term is\n"
       "  flatland SUBCOMMAND --help                more on each\n"
       "\n"
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 internal error.\n");
@@ -42,6 +44,8 @@ int run(int argc, char** argv) {
   addWindowCommand(app, action);
   addFeaturesCommand(app, action);
   addDrawCommand(app, action, shellLine(argc, argv));
+  addSweepCommand(app, action, shellLine(argc, argv));
+  addStudyCommand(app, action);
   addShotCommand(app, action);
   addPresetsCommand(app, action);
   app.require_subcommand(0, 1);

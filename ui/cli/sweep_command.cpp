@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
+#include "flatland/curve/arc_length.h"
+#include "flatland/io/atomic_file.h"
+#include "flatland/io/scene_json.h"
+#include "flatland/io/sweep_text.h"
+#include "ui/cli/command_line.h"
+#include "ui/cli/picture.h"
+#include "ui/cli/scene_argument.h"
+#include "ui/export/sweep_figure.h"
+
+namespace flatland::ui {
+
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string output;
+  PixelSize size{960, 600};
+  std::vector<std::string> kinds;
+  bool dark = false;
+};
+
+bool isTable(const std::string& file) { return extensionOf(file) == ".csv"; }
+
+std::string whyNotOutput(const std::string& file) {
+  if (isTable(file) || isPicture(file)) return {};
+  return "the name " + file + " should end in .csv, .svg, .pdf, .png or .tex";
+}
+
+// Absolute accuracy of the axis, relative to the curve: far below a pixel.
+constexpr double kAxisAccuracy = 1e-9;
+
+std::vector<double> curveLengths(const Scene& scene) {
+  const double size = boundsOf(scene).diagonal();
+  std::vector<double> lengths;
+  for (const SceneCurve& curve : scene.curves) {
+    const double end = curve.chain.pieceCount();
+    lengths.push_back(size > 0.0 ? arcLength(curve.chain, 0.0, end, kAxisAccuracy * size).value
+                                 : 0.0);
+  }
+  return lengths;
+}
+
+int run(const Options& options, const std::string& commandLine) {
+  if (!isTable(options.output)) requireQtFor(options.output);
+  const Scene scene = sceneFromArgument(options.scene);
+  const Sweep sweep = sweepOf(scene);
+  if (isTable(options.output)) {
+    writeFileAtomically(options.output, sweepToCsv(sweep));
+    return kDone;
+  }
+  SweepFigureOptions figure;
+  figure.width = options.size.width;
+  figure.height = options.size.height;
+  figure.kinds = kindsNamed(options.kinds);
+  if (options.kinds.empty()) {
+    figure.kinds.set(static_cast<std::size_t>(MarkKind::ApparentMinimum));  // where ridges are born
+  }
+  figure.palette = options.dark ? Palette::Dark : Palette::Light;
+  figure.viewAngleDeg = scene.view.angleDeg;
+  writePicture(
+      options.output, sweepFigure(sweep, curveLengths(scene), figure),
+      {.title = "Flatland, view sweep: " + std::filesystem::path(options.scene).filename().string(),
+       .program = "flatland " FLATLAND_VERSION,
+       .command = commandLine,
+       .sceneJson = sceneToJson(scene)});
+  return kDone;
+}
+
+}  // namespace
+
+void addSweepCommand(CLI::App& app, Action& action, const std::string& commandLine) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand(
+      "sweep",
+      "Draw or tabulate where every mark lies for every view direction: arc length against angle.\n"
+      "Ridges and inflections are level lines, apparent ridges slide, silhouettes are what they "
+      "run\n"
+      "into; rings show where an apparent ridge is born or merges. Views are orthographic.");
+  command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
+  command
+      .add_option("-o,--output", options->output,
+                  "File to write: a table (.csv) or a picture (.svg, .pdf, .png, .tex)")
+      ->required()
+      ->type_name("FILE")
+      ->check(CLI::Validator(whyNotOutput, ""));
+  addSize(command, options->size);
+  addKinds(command, options->kinds);
+  command.add_flag("--dark", options->dark, "Colours for a dark background");
+  command.footer(
+      "Examples:\n"
+      "  flatland sweep scene.json -o sweep.svg\n"
+      "  flatland sweep preset:thesis -o sweep.csv\n");
+  command.final_callback([options, &action, commandLine] {
+    action = [options, commandLine] { return run(*options, commandLine); };
+  });
+}
+
+}  // namespace flatland::ui
