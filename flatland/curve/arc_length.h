@@ -13,9 +13,9 @@ struct ArcLength {
 };
 
 /// Arc length of the curve over [t0, t1] (negative if t1 < t0) to the absolute `accuracy`
-/// (length > 0). Adaptive Gauss-Legendre quadrature, pieces halved until two orders agree; cusps
-/// cost more panels but converge. An accuracy below about 1e-14 of the control polygon cannot be
-/// reached and is reported so.
+/// (length > 0). Adaptive Gauss-Kronrod quadrature, panels halved until they agree with their
+/// halves; cusps cost more panels but converge. An accuracy below about 1e-14 of the control
+/// polygon cannot be reached and is reported so.
 ArcLength arcLength(const Bezier& curve, double t0, double t1, double accuracy);
 ArcLength arcLength(const BezierChain& chain, double t0, double t1, double accuracy);
 

@@ -116,25 +116,21 @@ BezierChain reversed(const BezierChain& chain) {
 
 double twiceSignedArea(const BezierChain& chain) {
   // int (p - origin) x dp, piece by piece, by the exact integrals of products of Bernstein
-  // polynomials.
+  // polynomials: in scaled form, a product of degree m integrates to the mean of its plain
+  // coefficients.
   const Vec2 origin = chain.points().front();
   double area = 0.0;
   for (int m = 0; m < chain.pieceCount(); ++m) {
-    const Bezier piece = chain.piece(m);
-    const int n = piece.degree();
-    // int_0^1 B_i^n B_j^(n-1) dt = binom(n, i) binom(n - 1, j) / (binom(2n - 1, i + j) 2 n)
-    for (int i = 0; i <= n; ++i) {
-      for (int j = 0; j < n; ++j) {
-        const double logWeight = std::lgamma(n + 1) - std::lgamma(i + 1) - std::lgamma(n - i + 1) +
-                                 std::lgamma(n) - std::lgamma(j + 1) - std::lgamma(n - j) -
-                                 std::lgamma(2 * n) + std::lgamma(i + j + 1) +
-                                 std::lgamma(2 * n - i - j);
-        const Vec2 p = piece.points[static_cast<std::size_t>(i)] - origin;
-        const Vec2 d = piece.points[static_cast<std::size_t>(j) + 1] -
-                       piece.points[static_cast<std::size_t>(j)];
-        area += 0.5 * std::exp(logWeight) * cross(p, d);
-      }
+    std::vector<double> x, y;
+    for (const Vec2& point : chain.piece(m).points) {
+      x.push_back(point.x() - origin.x());
+      y.push_back(point.y() - origin.y());
     }
+    const Bernstein bx = Bernstein::fromDoubles(x), by = Bernstein::fromDoubles(y);
+    const auto coefficients = (bx * derivative(by) - by * derivative(bx)).coefficients();
+    double sum = 0.0;
+    for (const Bounded& c : coefficients) sum += c.value();
+    area += sum / static_cast<double>(coefficients.size());
   }
   return area;  // an open chain is closed by its chord, which adds nothing as seen from its start
 }

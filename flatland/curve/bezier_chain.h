@@ -75,7 +75,8 @@ BezierChain reversed(const BezierChain& chain);
 double twiceSignedArea(const BezierChain& chain);
 
 /// The nearest point of the chain to `p`: its parameter and distance, by certified roots
-/// (roots/isolate.h), so no nearer branch is missed. Where several points are equally near, one of them.
+/// (roots/isolate.h), so no nearer branch is missed. Where several points are equally near, one of
+/// them.
 struct Nearest {
   double t;
   double distance;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flatland/curve/chain_editing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -30,6 +31,42 @@ void alignOpposite(BezierChain& chain, Index joint, Index handle, Index opposite
   const double armLength = arm.norm();
   const double oppositeLength = (chain.points()[opposite] - at).norm();
   if (armLength > 0.0) chain.setPoint(opposite, at - arm * (oppositeLength / armLength));
+}
+
+}  // namespace
+
+namespace {
+
+// The curve that was split into the two pieces, if there is one: it continues the first by the
+// ratio of the handles at the joint.
+std::optional<Bezier> unsplit(const Bezier& low, const Bezier& high) {
+  const std::size_t n = low.points.size();
+  const double in = (low.points[n - 1] - low.points[n - 2]).norm();
+  const double out = (high.points[1] - high.points[0]).norm();
+  if (!(in > 0.0)) return std::nullopt;
+  const Bezier whole = splitAt(low, (in + out) / in).first;
+  double size = 0.0, deviation = 0.0;
+  const Bezier again = splitAt(whole, in / (in + out)).second;
+  for (std::size_t i = 0; i < n; ++i) {
+    size = std::max(size, (whole.points[i] - whole.points[0]).norm());
+    deviation = std::max(deviation, (again.points[i] - high.points[i]).norm());
+  }
+  // Points typed or rounded to pixels never agree so well by chance.
+  constexpr double kSameShape = 1e-9;
+  if (!(deviation <= kSameShape * size)) return std::nullopt;
+  Bezier exact = whole;
+  exact.points.back() = high.points.back();
+  return exact;
+}
+
+// One piece in place of two: the very curve they are parts of, else one with the outer halves of
+// their handles.
+Bezier mergedPieces(const Bezier& low, const Bezier& high) {
+  if (const auto whole = unsplit(low, high)) return *whole;
+  Bezier merged = high;
+  const std::size_t leading = low.points.size() / 2;
+  std::copy_n(low.points.begin(), leading, merged.points.begin());
+  return merged;
 }
 
 }  // namespace
@@ -89,8 +126,6 @@ RemovalResult removePoints(const BezierChain& chain, const std::set<std::size_t>
       return {std::nullopt, "only joints can be removed from a chain; this point is a handle"};
     }
   }
-  // Each removed joint goes with the handles next to it, so that the piece that replaces its two
-  // pieces has the outer halves of their handles: degree - 1 interior points in all.
   const auto d = static_cast<Index>(chain.degree());
   const int pieces = chain.pieceCount();
   const Index jointCount = static_cast<Index>(pieces) + (chain.closed() ? 0 : 1);
@@ -102,18 +137,15 @@ RemovalResult removePoints(const BezierChain& chain, const std::set<std::size_t>
   if (keptJoints.size() < needed) {
     return {std::nullopt, "too few joints would stay: remove the whole curve instead"};
   }
-  const Index leading = d / 2;  // interior points taken from the start of the first merged piece
   std::vector<Vec2> result;
   const Index runs = chain.closed() ? keptJoints.size() : keptJoints.size() - 1;
   for (Index r = 0; r < runs; ++r) {
     const Index from = keptJoints[r];
     const Index to = r + 1 < keptJoints.size() ? keptJoints[r + 1] : keptJoints[0] + jointCount;
-    const Bezier first = chain.piece(static_cast<int>(from) % pieces);
-    const Bezier last = chain.piece(static_cast<int>(to - 1) % pieces);
-    result.push_back(first.points.front());
-    for (Index k = 1; k < d; ++k) {
-      result.push_back(k <= leading ? first.points[k] : last.points[k]);
-    }
+    Bezier merged = chain.piece(static_cast<int>(from) % pieces);
+    for (Index i = from + 1; i < to; ++i)
+      merged = mergedPieces(merged, chain.piece(static_cast<int>(i) % pieces));
+    result.insert(result.end(), merged.points.begin(), merged.points.end() - 1);
   }
   if (!chain.closed()) result.push_back(points[keptJoints.back() * d]);
   return {BezierChain(chain.degree(), chain.closed(), std::move(result)), {}};

@@ -22,7 +22,9 @@ BezierChain movePoints(const BezierChain& chain, const std::set<std::size_t>& in
 
 /// The chain without the points `indices`, or the reason (for a person) why they cannot go.
 /// A single Bezier loses control points and with them degree (at least 2 points stay). A chain
-/// loses joints: the two pieces at an inner joint become one, which keeps the outer handles.
+/// loses joints: the two pieces at an inner joint become one, exactly the curve they were split
+/// from if there is such a curve (so inserting and removing a joint changes nothing), else one that
+/// keeps the outer handles.
 struct RemovalResult {
   std::optional<BezierChain> chain;
   std::string reason;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "flatland/features/regular_arc.h"
 #include "flatland/features/tolerances.h"
@@ -101,18 +100,10 @@ class CurveMarker {
             signAt(arc.polynomials.lambdaPrime, s) * c * nw};
   }
 
-  // One-sided curvature at an end: infinite at most cusps; empty if undetermined there.
-  std::optional<double> curvatureAtEnd(const Arc& arc, bool atStart) const {
-    const RegularArc& g = arc.geometry;
-    if (g.straight) return 0.0;
-    if ((atStart ? g.zerosAtStart : g.zerosAtEnd) == 0) {
-      const double t = atStart ? g.tLow : g.tHigh;
-      return frameOf(jetAt(chain_.piece(arc.piece), t), side_).k;
-    }
-    const Bernstein& c = arc.polynomials.curvature;
-    const int sign = (atStart ? c.first() : c.last()).certainSign();
-    if (sign == 0) return std::nullopt;
-    return -side_ * sign * std::numeric_limits<double>::infinity();
+  // k in scene units from a one-sided end value of the polynomials.
+  std::optional<double> curvature(const std::optional<double>& scaled) const {
+    if (!scaled) return std::nullopt;
+    return -side_ * *scaled * scale_;
   }
 
   // --- where arcs meet ----------------------------------------------------------------------
@@ -121,7 +112,7 @@ class CurveMarker {
     const Vec2 in = a.geometry.endDirection(), out = b.geometry.startDirection();
     double turn = std::atan2(cross(in, out), in.dot(out));
     if (turn < 0.0 && std::abs(cross(in, out)) < kSmoothJointRad && in.dot(out) < 0.0) turn = -turn;
-    joint_ = {MarkKind::Corner, b.piece, b.geometry.tLow, true, turn};
+    joint_ = {MarkKind::Corner, b.piece, b.geometry.tLow, true, {}, turn};
     if (std::abs(turn) > kSmoothJointRad) {
       a.finish = b.start = End::Corner;
       meetAtCorner(a, b);
@@ -154,38 +145,70 @@ class CurveMarker {
                                    before.nw * after.nw < 0, true);
     settle(MarkKind::Inflection, a, a.curvature, b, b.curvature, before.k * after.k < 0, false);
 
-    const auto ka = curvatureAtEnd(a, false), kb = curvatureAtEnd(b, true);
-    if (!ka || !kb) return;
-    const double size = std::max({std::abs(*ka), std::abs(*kb), 1.0 / extent_});
-    const auto same = [&](double p, double q) {
-      return p == q || std::abs(p - q) <= kSameCurvature * size;
-    };
-    if (same(*ka, *kb)) {
-      const int turn = before.kPrime * after.kPrime < 0 ? before.kPrime : 0;
-      if (turn != 0) {
-        settle(extremumKind(turn > 0, *ka), a, a.curvaturePrime, b, b.curvaturePrime, true, false);
+    const auto ka = curvature(a.polynomials.endCurvature);
+    const auto kb = curvature(b.polynomials.startCurvature);
+    if (!ka || !kb) {
+      const double t = b.piece + b.geometry.tLow;
+      for (const MarkKind kind : {MarkKind::Ridge, MarkKind::ApparentRidge}) {
+        result_.unresolved.push_back(
+            {kind, 0, t, t, "curvature is infinite here, of undecided sign"});
       }
-    } else {
-      const double top = std::max(*ka, *kb), bottom = std::min(*ka, *kb);
-      if (*ka > *kb ? before.kPrime > 0 : after.kPrime < 0) addAtJoint(extremumKind(true, top));
-      if (*ka < *kb ? before.kPrime < 0 : after.kPrime > 0) addAtJoint(extremumKind(false, bottom));
+      return;
     }
-    if (silhouette) return;  // lambda is infinite there
-    const double absA = std::abs(*ka), absB = std::abs(*kb);
-    if (same(absA, absB)) {
-      const int turn = before.lambdaPrime * after.lambdaPrime < 0 ? before.lambdaPrime : 0;
-      if (turn > 0 || (turn < 0 && before.k * after.k > 0)) {
-        settle(turn > 0 ? MarkKind::ApparentRidge : MarkKind::ApparentMinimum, a, a.lambdaPrime, b,
-               b.lambdaPrime, true, false);
-      }
-    } else {
-      if (absA > absB ? before.lambdaPrime > 0 : after.lambdaPrime < 0) {
-        addAtJoint(MarkKind::ApparentRidge);
-      }
-      // A jump to or through k = 0 has no lowest finite lambda worth a mark of its own.
-      const bool falls = absA < absB ? before.lambdaPrime < 0 : after.lambdaPrime > 0;
-      if (falls && before.k * after.k > 0) addAtJoint(MarkKind::ApparentMinimum);
+    meetExtrema(a, *ka, before, b, *kb, after);
+    if (!silhouette) meetApparentRidges(a, *ka, before, b, *kb, after);  // else lambda is infinite
+  }
+
+  // Two one-sided values that count as one.
+  bool same(double p, double q) const {
+    if (std::isinf(p) || std::isinf(q)) return p == q;
+    return std::abs(p - q) <= kSameCurvature * std::max({std::abs(p), std::abs(q), 1.0 / extent_});
+  }
+
+  void meetExtrema(const Arc& a, double ka, const Signs& before, const Arc& b, double kb,
+                   const Signs& after) {
+    if (same(ka, kb)) {
+      if (before.kPrime * after.kPrime >= 0) return;
+      settle(extremumKind(before.kPrime > 0, ka), a, a.curvaturePrime, b, b.curvaturePrime, true,
+             false);
+      return;
     }
+    // The side with the larger (smaller) value decides, and must lead up (down) to the joint.
+    const bool fromA = ka > kb;
+    if (fromA ? before.kPrime > 0 : after.kPrime < 0) {
+      addAtJump(extremumKind(true, std::max(ka, kb)), fromA, a);
+    }
+    if (!fromA ? before.kPrime < 0 : after.kPrime > 0) {
+      addAtJump(extremumKind(false, std::min(ka, kb)), !fromA, a);
+    }
+  }
+
+  void meetApparentRidges(const Arc& a, double ka, const Signs& before, const Arc& b, double kb,
+                          const Signs& after) {
+    const double sizeA = std::abs(ka), sizeB = std::abs(kb);
+    // A minimum needs k to keep its sign: at an inflection lambda is 0, and that is its mark.
+    const bool keepsSign = before.k * after.k > 0;
+    if (same(sizeA, sizeB)) {
+      const bool turns = before.lambdaPrime * after.lambdaPrime < 0;
+      if (!turns || (before.lambdaPrime < 0 && !keepsSign)) return;
+      settle(before.lambdaPrime > 0 ? MarkKind::ApparentRidge : MarkKind::ApparentMinimum, a,
+             a.lambdaPrime, b, b.lambdaPrime, true, false);
+      return;
+    }
+    const bool fromA = sizeA > sizeB;
+    if (fromA ? before.lambdaPrime > 0 : after.lambdaPrime < 0) {
+      addAtJump(MarkKind::ApparentRidge, fromA, a);
+    }
+    if (keepsSign && (!fromA ? before.lambdaPrime < 0 : after.lambdaPrime > 0)) {
+      addAtJump(MarkKind::ApparentMinimum, !fromA, a);
+    }
+  }
+
+  // A mark at the joint that takes its values from the end of `a`, or from the start of what
+  // follows.
+  void addAtJump(MarkKind kind, bool valueOfA, const Arc& a) {
+    addAtJoint(kind);
+    if (valueOfA) result_.marks.back().valueAt = {a.piece, a.geometry.tHigh};
   }
 
   // Judges one kind of root in the windows on both sides of a smooth joint: marks the root itself

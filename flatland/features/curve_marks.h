@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "flatland/features/features.h"
@@ -13,6 +15,9 @@ struct CurveMark {
   int piece;
   double t;              ///< local parameter of the piece, in [0, 1]
   bool atJoint = false;  ///< judged from both sides of a joint or cusp: no equation holds there
+  /// Where curvature jumps: the piece and parameter of the side whose value makes the mark. Empty:
+  /// the mark's own.
+  std::optional<std::pair<int, double>> valueAt = std::nullopt;
   double turnRad = 0.0;  ///< corners
 };
 

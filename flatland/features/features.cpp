@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, kMarkKindCount> kNames = {
     "silhouette", "inflection", "ridge",          "valley",
     "flat",       "corner",     "apparent-ridge", "apparent-minimum"};
 
-// Relative to the curve's length; two digits above what arcLength can reach.
+// Relative to the control polygon; about what arcLength can reach.
 constexpr double kArcLengthAccuracy = 1e-13;
 
 double controlPolygonLength(const BezierChain& chain) {
@@ -65,9 +65,11 @@ Mark valued(const CurveMark& found, int curve, const BezierChain& chain, const V
   mark.screen = screenCoordinate(frame, jet.p);
   mark.turnDeg = found.turnRad * (180.0 / std::numbers::pi);
   // At a corner or cusp the terms differ on both sides, or do not exist.
-  const bool tangent = found.kind != MarkKind::Corner && jet.d1.squaredNorm() > 0.0;
-  if (!tangent) return mark;
-  const Terms terms = termsAt(jet, frame, side);
+  if (found.kind == MarkKind::Corner) return mark;
+  const Jet valueJet =
+      found.valueAt ? jetAt(chain.piece(found.valueAt->first), found.valueAt->second) : jet;
+  if (!(valueJet.d1.squaredNorm() > 0.0)) return mark;
+  const Terms terms = termsAt(valueJet, frame, side);
   if (found.kind != MarkKind::Silhouette) mark.lambda = terms.lambda;
   mark.feature = terms.feature;
   mark.offset = terms.offset;

@@ -76,7 +76,9 @@ struct FeatureSet {
   std::vector<Unresolved> unresolved;
   std::vector<Degenerate> degenerate;
 
-  /// True if every mark was found and none invented, with certified signs.
+  /// True if every mark was found and none invented, with certified signs. Within kJointWindow of a
+  /// smooth joint marks are judged by the net change across it, and next to a cusp the certificate
+  /// is for the curve with the cusp made exact (tolerances.h).
   bool complete() const { return unresolved.empty(); }
 };
 
@@ -84,7 +86,8 @@ struct FeatureSet {
 /// certified signs (roots/isolate.h); see docs/math/features.md for the polynomials and for the
 /// answers in degenerate cases. t is accurate to its last bits where the root is simple, u to 1e-12
 /// of the curve's length. Invariant under rotation of scene and view together, scaling,
-/// reversal and splitting. Cost: about 0.2 ms for one curve of 5 control points.
+/// reversal and splitting. Cost: about 0.1 ms of a 2.5 GHz core for one curve of 5 control points
+/// (tests/bench).
 FeatureSet findFeatures(const Scene& scene);
 
 }  // namespace flatland

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "flatland/features/tolerances.h"
@@ -87,6 +88,8 @@ std::vector<double> interiorCusps(const Bernstein& dx, const Bernstein& dy) {
   for (const RootInterval& open : minima.unresolved) {
     consider(0.5 * (open.low + open.high), open.high - open.low);
   }
+  std::sort(cusps.begin(), cusps.end());
+  cusps.erase(std::unique(cusps.begin(), cusps.end()), cusps.end());
   return cusps;
 }
 
@@ -135,31 +138,64 @@ const Bernstein kRest = Bernstein::fromDoubles({1.0, 0.0});  // 1 - s
 
 // For g = s^m0 (1 - s)^m1: l has a simple zero at each end where g has one, lDot = l g'/g.
 struct EndFactors {
+  int m0, m1;
   Bernstein l, lDot;
+
+  bool areTrivial() const { return m0 + m1 == 0; }  // g = 1
 };
 
 EndFactors endFactors(int m0, int m1) {
-  EndFactors ends{constant(1.0), constant(0.0)};
-  if (m0 > 0) ends = {kS, constant(m0)};
-  if (m1 > 0) ends = {ends.l * kRest, ends.lDot * kRest - constant(m1) * ends.l};
+  EndFactors ends{m0, m1, constant(1.0), constant(0.0)};
+  if (m0 > 0) ends.l = kS, ends.lDot = constant(m0);
+  if (m1 > 0) {
+    ends.lDot = ends.lDot * kRest - constant(m1) * ends.l;
+    ends.l = ends.l * kRest;
+  }
   return ends;
 }
 
-// k = gamma / (g sigma^(3/2)) and k' = prime / (l g^2 sigma^3), up to sign and powers of the
-// degree.
+// How many exact zeros, at most `most`, p has at its start.
+int exactZerosAtStart(const Bernstein& p, int most) {
+  int m = 0;
+  while (m < std::min(most, p.degree()) && p.scaled()[static_cast<std::size_t>(m)].isExactZero())
+    ++m;
+  return m;
+}
+
+// k = gamma / (m g sigma^(3/2)) up to sign, m the degree of the direction, which the Wronskian
+// leaves in.
 struct Curvature {
-  Bernstein sigma, gamma, prime;
+  Bernstein sigma, gamma;
+  EndFactors ends;  // those of g
+
+  // m l g sigma^(5/2) times the derivative by s: k'/k = gamma'/gamma - 3/2 sigma'/sigma - g'/g
+  Bernstein prime() const {
+    const Bernstein p =
+        ends.l * (derivative(gamma) * sigma - Bounded(1.5) * (gamma * derivative(sigma)));
+    return ends.areTrivial() ? p : p - ends.lDot * (gamma * sigma);
+  }
 };
 
-Curvature curvatureOf(const RegularArc& arc, const EndFactors& ends) {
-  Curvature k;
-  k.sigma = arc.dx * arc.dx + arc.dy * arc.dy;
-  k.gamma = -degreeTimesWronskian(arc.dx, arc.dy);  // m (dx dy' - dx' dy)
-  // k'/k = gamma'/gamma - 3/2 sigma'/sigma - g'/g
-  k.prime =
-      ends.l * (derivative(k.gamma) * k.sigma - Bounded(1.5) * (k.gamma * derivative(k.sigma)));
-  if (arc.zerosAtStart + arc.zerosAtEnd > 0) k.prime = k.prime - ends.lDot * (k.gamma * k.sigma);
-  return k;
+// One-sided value at an end, from the values of gamma and sigma and the multiplicity of g there.
+std::optional<double> endCurvature(const Bounded& gamma, const Bounded& sigma, int zeros, int m) {
+  if (zeros == 0) return gamma.value() / (m * std::pow(sigma.value(), 1.5));
+  if (gamma.certainSign() == 0) return std::nullopt;
+  return gamma.certainSign() * std::numeric_limits<double>::infinity();
+}
+
+Curvature curvatureOf(const RegularArc& arc) {
+  return {arc.dx * arc.dx + arc.dy * arc.dy,
+          -degreeTimesWronskian(arc.dx, arc.dy),  // m (dx dy' - dx' dy)
+          endFactors(arc.zerosAtStart, arc.zerosAtEnd)};
+}
+
+// Without the zeros that gamma and g share at the ends. Where they do, curvature is finite there,
+// and gamma's zero is no inflection.
+Curvature reduced(const Curvature& k) {
+  const int atStart = exactZerosAtStart(k.gamma, k.ends.m0);
+  const int atEnd = exactZerosAtStart(k.gamma.reversed(), k.ends.m1);
+  return {k.sigma, k.gamma.dividedByT(atStart).dividedByOneMinusT(atEnd),
+          endFactors(k.ends.m0 - atStart, k.ends.m1 - atEnd)};
 }
 
 }  // namespace
@@ -210,11 +246,22 @@ Bernstein silhouettePolynomial(const Bezier& piece, const ViewFrame& frame, doub
   return along(frame.axis, derivative(x), derivative(y));
 }
 
+namespace {
+
+// The polynomial with its end values set to exactly zero where they are next to nothing.
+Bernstein snapped(const Bernstein& p, bool atStart, bool atEnd) {
+  if (!atStart && !atEnd) return p;
+  const double tolerance = kEndOnSine * reachOf(p);
+  std::vector<Bounded> scaled = p.scaled();
+  if (atStart && std::abs(scaled.front().value()) <= tolerance) scaled.front() = {};
+  if (atEnd && std::abs(scaled.back().value()) <= tolerance) scaled.back() = {};
+  return Bernstein::fromScaled(std::move(scaled));
+}
+
+}  // namespace
+
 ArcPolynomials polynomialsOf(const RegularArc& arc, const ViewFrame& frame, double scale) {
   const int m0 = arc.zerosAtStart, m1 = arc.zerosAtEnd;
-  const EndFactors ends = endFactors(m0, m1);
-  const Bernstein &l = ends.l, &lDot = ends.lDot;
-
   const Bernstein xi = along(frame.axis, arc.dx, arc.dy);
   const Bernstein eta = along(frame.towards, arc.dx, arc.dy);
 
@@ -231,21 +278,28 @@ ArcPolynomials polynomialsOf(const RegularArc& arc, const ViewFrame& frame, doub
   } else {
     result.silhouette = xi;
   }
+  // At a cusp the direction is known to rounding only. Pointing along the line of sight to that
+  // accuracy, it does so exactly: the silhouette is then the cusp itself.
+  result.silhouette = snapped(result.silhouette, m0 > 0, m1 > 0);
   if (arc.straight) {
     result.curvature = result.curvaturePrime = result.lambdaPrime = zeroPolynomial();
+    result.startCurvature = result.endCurvature = 0.0;
     return result;
   }
 
   const Bernstein& w = result.silhouette;
-  const Curvature k = curvatureOf(arc, ends);
-  const Bernstein &sigma = k.sigma, &gamma = k.gamma;
+  const Curvature k = reduced(curvatureOf(arc));
+  const Bernstein &sigma = k.sigma, &gamma = k.gamma, &l = k.ends.l, &lDot = k.ends.lDot;
   const Bernstein gammaDot = derivative(gamma), sigmaDot = derivative(sigma), wDot = derivative(w);
   result.curvature = gamma;
-  result.curvaturePrime = k.prime;
+  result.curvaturePrime = k.prime();
+  const int m = arc.dx.degree();
+  result.startCurvature = endCurvature(gamma.first(), sigma.first(), k.ends.m0, m);
+  result.endCurvature = endCurvature(gamma.last(), sigma.last(), k.ends.m1, m);
 
   // lambda = (gamma / (g sigma w))^2, times rho^2 in perspective
   Bernstein a = gammaDot * sigma * w - gamma * (sigmaDot * w + sigma * wDot);
-  if (m0 + m1 > 0) a = l * a - lDot * (gamma * sigma * w);
+  if (!k.ends.areTrivial()) a = l * a - lDot * (gamma * sigma * w);
   if (frame.distance) {
     const Bernstein rhoSq = across * across + depth * depth;
     // (rho^2)'/2 = g (across xi - depth eta)
@@ -259,17 +313,17 @@ ArcPolynomials polynomialsOf(const RegularArc& arc, const ViewFrame& frame, doub
 }
 
 Bernstein foldPolynomial(const RegularArc& arc) {
-  const EndFactors ends = endFactors(arc.zerosAtStart, arc.zerosAtEnd);
-  const Bernstein &l = ends.l, &lDot = ends.lDot;
-  const Curvature k = curvatureOf(arc, ends);
+  const Curvature k = curvatureOf(arc);
+  const Bernstein &l = k.ends.l, &lDot = k.ends.lDot;
+  const Bernstein prime = k.prime();  // k' = prime / (m l g^2 sigma^3)
   // k'' = second / (m l^2 g^3 sigma^(9/2)), from k' by the quotient rule.
-  const Bernstein second = l * k.sigma * derivative(k.prime) -
-                           (derivative(l) + Bounded(2.0) * lDot) * (k.sigma * k.prime) -
-                           Bounded(3.0) * (l * derivative(k.sigma) * k.prime);
+  const Bernstein second = l * k.sigma * derivative(prime) -
+                           (derivative(l) + Bounded(2.0) * lDot) * (k.sigma * prime) -
+                           Bounded(3.0) * (l * derivative(k.sigma) * prime);
   // All three terms over m^4 l^2 g^4 sigma^6.
   const Bernstein gammaSq = k.gamma * k.gamma;
   const double m = arc.dx.degree();
-  return l * l * gammaSq * gammaSq + Bounded(m * m) * (k.gamma * second - k.prime * k.prime);
+  return l * l * gammaSq * gammaSq + Bounded(m * m) * (k.gamma * second - prime * prime);
 }
 
 }  // namespace flatland

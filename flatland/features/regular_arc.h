@@ -40,9 +40,13 @@ struct ArcPolynomials {
   Bernstein curvature;       ///< sign of -k for the left normal
   Bernstein curvaturePrime;  ///< sign of -dk/du for the left normal
   Bernstein lambdaPrime;     ///< sign of dlambda/du * curvature * silhouette
+
+  /// -k for the left normal at s = 0 and s = 1, one-sided, in scaled units; infinite at most cusps,
+  /// empty where the sign of the infinity is undecided.
+  std::optional<double> startCurvature, endCurvature;
 };
 
-/// `distance` is the viewer's, in scaled units. A straight arc has silhouette only; the other
+/// `scale` is that of regularArcs(). A straight arc has silhouette only; the other
 /// polynomials are zero.
 ArcPolynomials polynomialsOf(const RegularArc& arc, const ViewFrame& frame, double scale);
 

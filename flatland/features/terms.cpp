@@ -18,7 +18,8 @@ Terms termsAt(const Jet& jet, const ViewFrame& frame, int side) {
   terms.perspective = 0.0;
   if (frame.distance) {
     const double rho = (frame.eye() - jet.p).norm();
-    terms.perspective = -terms.nw * f.k * f.k * terms.tw / rho;
+    // At the viewer itself there is no line of sight: all terms are 0, as nw and tw are.
+    if (rho > 0.0) terms.perspective = -terms.nw * f.k * f.k * terms.tw / rho;
   }
   if (terms.nw != 0.0) terms.lambda = (f.k * f.k) / (terms.nw * terms.nw);
   return terms;

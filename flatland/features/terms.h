@@ -22,7 +22,8 @@ struct Terms {
   double sum() const { return feature + offset + perspective; }
 };
 
-/// Terms at a jet; `side` is that of normalSide(). Precondition: jet.d1 is not zero.
+/// Terms at a jet; `side` is that of normalSide(). At the viewer itself nw, tw and the terms are 0
+/// and lambda is empty. Precondition: jet.d1 is not zero, and sizes lie between 1e-50 and 1e50.
 Terms termsAt(const Jet& jet, const ViewFrame& frame, int side);
 
 /// How far a mark's defining quantity is from zero, without dimension: its absolute value over the

@@ -3,7 +3,8 @@
 
 namespace flatland {
 
-// The tolerances of the 2D half, all relative. Everything else is decided with certified signs.
+// The tolerances that decide what a curve is: smooth or cornered, straight or bent. All relative.
+// Roots are decided by certified signs; what is drawn as visible has its own, in visibility.cpp.
 
 /// Joints that turn by less than this (radians) are smooth, beyond it they are corners. Control
 /// points rounded to double turn a smooth joint by up to about 1e-15 times the ratio of curve size

@@ -13,7 +13,7 @@ namespace flatland {
 /// The limits of the format, which are those of the program: beyond them a file is refused.
 inline constexpr int kHighestDegree = 64;
 inline constexpr double kLargestLength =
-    1e100;  ///< of coordinates and the distance: squares stay finite
+    1e50;  ///< of coordinates and the distance: powers up to the sixth stay finite
 inline constexpr std::size_t kLargestSceneBytes = 64U * 1024U * 1024U;
 
 /// Reads the scene format of docs/user/scene-format.md, version 1. `source` names the text in

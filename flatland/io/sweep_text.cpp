@@ -13,7 +13,7 @@ std::string_view nameOf(SweepEvent::What what) {
   switch (what) {
     case SweepEvent::What::Fold:
       return "fold";
-    case SweepEvent::What::Silhouette:
+    case SweepEvent::What::MeetsSilhouette:
       return "meets-silhouette";
     case SweepEvent::What::HeadOn:
       return "head-on";

@@ -124,6 +124,8 @@ inline Bounded dividedBy(const Bounded& a, double n) {
   if (a.isExactZero()) return {};
   const double q1 = a.hi / n;
   const Pair p = twoProduct(q1, n);
+  // Nothing is lost where the division comes out even.
+  if (a.lo == 0.0 && p.high == a.hi && p.low == 0.0) return {q1, 0.0, a.error / n * kBoundSlack};
   const double rest = ((a.hi - p.high) - p.low) + a.lo;
   const double q2 = rest / n;
   const Pair r = quickTwoSum(q1, q2);

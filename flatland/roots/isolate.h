@@ -7,8 +7,9 @@
 
 namespace flatland {
 
-/// A root in [0, 1]. low <= root <= high, and for a crossing low and high are adjacent doubles,
-/// equal, or as near as the coefficients' error allows.
+/// A root in [0, 1]: at low = high, or else in the open interval (low, high), whose ends may be
+/// other, exact roots. For a crossing low and high are adjacent doubles, equal, or as near as the
+/// coefficients' error allows.
 struct Root {
   double t;          ///< best double
   double low, high;  ///< certified bracket
@@ -22,7 +23,8 @@ struct Root {
 };
 
 /// An interval whose roots could not be counted: either none or an even number (a double root, two
-/// very near ones, or a near miss).
+/// very near ones, or a near miss); at an end of [0, 1] whose value cannot be told from 0, any
+/// number.
 struct RootInterval {
   double low, high;
 };

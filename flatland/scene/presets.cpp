@@ -39,7 +39,7 @@ std::vector<Preset> makePresets() {
        "apparent ridges on one curve.",
        single({{-1.3, -1.2}, {2.8, -1.5}, {-3.0, 0.4}, {2.9, 1.3}, {-1.5, 1.0}})},
       {"circle", "Almost a circle",
-       "The four-piece circle of drawing programs: its curvature wavers by half a percent, and so "
+       "The four-piece circle of drawing programs: its curvature wavers by three per cent, and so "
        "it has ridges that a circle has not.",
        circle()},
       {"s-curve", "S-curve",
@@ -61,7 +61,8 @@ std::vector<Preset> makePresets() {
        "A cubic whose speed vanishes at t = 1/2: the tangent turns back, a corner of 180 degrees.",
        single({{-1.0, -0.8}, {1.0, 0.8}, {-1.0, 0.8}, {1.0, -0.8}}, {30.0, std::nullopt})},
       {"loop", "Loop", "A curve that crosses itself and hides part of itself from the screen.",
-       single({{-1.0, -1.0}, {2.2, 0.6}, {0.0, 2.0}, {-2.2, 0.6}, {1.0, -1.0}})},
+       single({{-1.0, -1.0}, {2.2, 0.6}, {0.0, 2.0}, {-2.2, 0.6}, {1.0, -1.0}},
+              {40.0, std::nullopt})},
   };
 }
 

@@ -34,7 +34,8 @@ struct Preset {
   Scene scene;
 };
 
-/// The presets in menu order; the first is the default scene, which shows every kind of mark.
+/// The presets in menu order; the first is the default scene, which shows every kind of mark a
+/// smooth curve has.
 const std::vector<Preset>& presets();
 
 /// presets().front().scene

@@ -52,6 +52,7 @@ class CurveSweeper {
   }
 
   void run() {
+    if (!(length_ > 0.0)) return;  // all points coincide
     addLines();
     for (int i = 0; i < chain_.pieceCount(); ++i) {
       piece_ = chain_.piece(i);
@@ -70,9 +71,13 @@ class CurveSweeper {
   }
 
   void addLines() {
-    // Any view will do: these kinds do not depend on it, and ridge or valley is said for the left
-    // side.
-    for (const CurveMark& mark : findCurveMarks(chain_, frameOf(View{}), 1).marks) {
+    // Any view will do: with the side given, these kinds do not depend on it.
+    const CurveMarks found = findCurveMarks(chain_, frameOf(View{}), side_);
+    for (const Unresolved& open : found.unresolved) {
+      const bool moves = open.kind == MarkKind::Silhouette || open.kind == MarkKind::ApparentRidge;
+      result_.complete = result_.complete && moves;
+    }
+    for (const CurveMark& mark : found.marks) {
       switch (mark.kind) {
         case MarkKind::Silhouette:
         case MarkKind::ApparentRidge:
@@ -96,23 +101,25 @@ class CurveSweeper {
       for (const Root& root : roots.roots) {
         if (root.t <= 0.0 || root.t >= 1.0 || !root.isCrossing()) continue;
         const double t = parameter(root.t);
-        if (what != SweepEvent::What::HeadOn) cuts.push_back(t);
+        // Where curvature is extreme the direction may turn by half a turn within a hair's breadth,
+        // which sampling from afar would take for no turn at all: branches are cut there too.
+        cuts.push_back(t);
         const Jet jet = jetAt(piece_, t);
-        const double angle = what == SweepEvent::What::Silhouette ? silhouetteAngleDeg(jet)
-                             : what == SweepEvent::What::HeadOn   ? angleDegOf(frameOf(jet).normal)
-                                                                  : ridgeAngleDeg(jet);
+        const double angle = what == SweepEvent::What::MeetsSilhouette ? silhouetteAngleDeg(jet)
+                             : what == SweepEvent::What::HeadOn ? angleDegOf(frameOf(jet).normal)
+                                                                : ridgeAngleDeg(jet);
         result_.events.push_back({what, curve_, halfTurnDeg(angle), pieceIndex_ + t, lengthAt(t)});
       }
     };
-    addEvents(polynomials.curvature, SweepEvent::What::Silhouette);
+    addEvents(polynomials.curvature, SweepEvent::What::MeetsSilhouette);
     addEvents(polynomials.curvaturePrime, SweepEvent::What::HeadOn);
     const Bernstein fold = foldPolynomial(arc);
     addEvents(fold, SweepEvent::What::Fold);
 
-    addBranch(MarkKind::Silhouette, arc.tLow, arc.tHigh, silhouetteAngleDeg);
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       if (!(cuts[i + 1] > cuts[i])) continue;
+      addBranch(MarkKind::Silhouette, cuts[i], cuts[i + 1], silhouetteAngleDeg);
       const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
       const int sign = fold.at((middle - arc.tLow) / (arc.tHigh - arc.tLow)).certainSign();
       addBranch(sign < 0 ? MarkKind::ApparentRidge : MarkKind::ApparentMinimum, cuts[i],

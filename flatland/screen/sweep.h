@@ -14,6 +14,10 @@ namespace flatland {
 /// yields all branches, whole. Likewise a point is a silhouette exactly from the direction of its
 /// tangent. Opposite directions see the same marks (hidden ones included), so angles are modulo 180
 /// degrees.
+///
+/// Branches are those of the smooth parts. A corner, which is a silhouette for a whole range of
+/// views, is a line; a joint at which curvature jumps, and which is an apparent ridge for a range
+/// of views, is left to findFeatures.
 struct SweepPoint {
   double angleDeg;  ///< view direction, unwrapped: continuous along a branch, any multiple of 180
                     ///< may be added
@@ -22,7 +26,9 @@ struct SweepPoint {
 };
 
 /// A branch: where the mark of one kind goes as the view turns. Kind is Silhouette, ApparentRidge
-/// or ApparentMinimum. Neighbouring points differ by at most 2 degrees and 1/100 of the length.
+/// or ApparentMinimum. Neighbouring points differ by at most 2 degrees and 1/100 of the length,
+/// unless the curve turns faster than t resolves. A branch ends where its kind changes and where
+/// curvature is extreme.
 struct SweepBranch {
   MarkKind kind;
   int curve;
@@ -40,8 +46,8 @@ struct SweepLine {
 struct SweepEvent {
   enum class What {
     Fold,  ///< an apparent ridge and a minimum of lambda are born or merge (k^4 + k k'' = k'^2)
-    Silhouette,  ///< at an inflection seen along its tangent the apparent ridge runs into the
-                 ///< silhouette
+    MeetsSilhouette,  ///< at an inflection seen along its tangent the apparent ridge runs into the
+                      ///< silhouette
     HeadOn,  ///< at a ridge, valley or flat point seen head-on the branch crosses its line (offset
              ///< 0)
   };

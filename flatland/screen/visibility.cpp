@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include "flatland/features/regular_arc.h"
@@ -20,6 +22,9 @@ constexpr double kSameParameter = 1e-7;
 
 // Nearer to the viewer by less than this, relative to the scene's size, is the same place.
 constexpr double kSameDepth = 1e-9;
+
+// Images nearer than this, relative to the scene's size, are one: the rounding of a view direction.
+constexpr double kSameImage = 1e-12;
 
 // Samples between two possible changes of visibility, to catch where curves cross.
 constexpr int kSamples = 16;
@@ -40,6 +45,8 @@ struct Visibility::Parts {
   std::vector<std::vector<Bezier>> pieces;  ///< of each chain
   std::vector<Part> parts;
   double size = 1.0;
+  std::mutex mutex;  ///< for the intervals, found when first asked for
+  std::vector<std::optional<std::vector<Interval>>> intervals;
 
   Vec2 point(const Part& part, double t) const {
     return pointAt(
@@ -139,13 +146,20 @@ struct Visibility::Parts {
     return near(t) || (chain.closed() && (near(t - period) || near(t + period)));
   }
 
+  // Seen along itself, to within rounding: all of it lies on one line of sight.
+  bool isEndOn(const Part& part) const {
+    return std::abs(part.atLow - part.atHigh) <= kSameImage * size;
+  }
+
   bool hides(const Part& part, const Vec2& q, double image) const {
-    if (image < std::min(part.atLow, part.atHigh) || image > std::max(part.atLow, part.atHigh)) {
+    const double slack = isEndOn(part) ? kSameImage * size : 0.0;
+    if (image < std::min(part.atLow, part.atHigh) - slack ||
+        image > std::max(part.atLow, part.atHigh) + slack) {
       return false;
     }
     const double nearest = nearness(frame, q) + kSameDepth * size;
     const Vec2 low = point(part, part.low), high = point(part, part.high);
-    if (part.atLow == part.atHigh) {  // seen end-on: all of it on one line of sight
+    if (isEndOn(part)) {
       return std::max(nearness(frame, low), nearness(frame, high)) > nearest;
     }
     // Points at the viewer's own depth or behind it do not hide anything.
@@ -162,6 +176,7 @@ Visibility::Visibility(const Scene& scene) : parts_(std::make_unique<Parts>()) {
     parts_->chains.push_back(scene.curves[i].chain);
     parts_->add(static_cast<int>(i), scene.curves[i].chain);
   }
+  parts_->intervals.resize(scene.curves.size());
 }
 
 Visibility::~Visibility() = default;
@@ -173,14 +188,20 @@ bool Visibility::isVisible(int curve, double t) const {
   const auto image = screenCoordinate(parts_->frame, q);
   if (!image) return false;
   for (const Part& part : parts_->parts) {
-    const bool endOn = part.atLow == part.atHigh;
-    if (!endOn && parts_->isOn(part, curve, t)) continue;
+    if (!parts_->isEndOn(part) && parts_->isOn(part, curve, t)) continue;
     if (parts_->hides(part, q, *image)) return false;
   }
   return true;
 }
 
-std::vector<Visibility::Interval> Visibility::visibleIntervals(int curve) const {
+const std::vector<Visibility::Interval>& Visibility::visibleIntervals(int curve) const {
+  const std::scoped_lock lock(parts_->mutex);
+  auto& known = parts_->intervals[static_cast<std::size_t>(curve)];
+  if (!known) known = findVisibleIntervals(curve);
+  return *known;
+}
+
+std::vector<Visibility::Interval> Visibility::findVisibleIntervals(int curve) const {
   // Visibility changes where the image of a fold or end passes, and where curves cross.
   const Parts& all = *parts_;
   std::vector<Vec2> edges;
@@ -214,11 +235,14 @@ std::vector<Visibility::Interval> Visibility::visibleIntervals(int curve) const 
   };
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double low = cuts[i], high = cuts[i + 1];
-    // The ends themselves are edges, where the answer is about to change: look just inside.
-    const auto sample = [&](int k) { return low + (high - low) * (k + 0.5) / kSamples; };
+    // The ends themselves are edges, where the answer is about to change: look just inside them.
+    constexpr double kHair = 1e-6;
+    const auto sample = [&](int k) {
+      return low + (high - low) * std::clamp(static_cast<double>(k) / kSamples, kHair, 1.0 - kHair);
+    };
     double from = low;
     bool seen = isVisible(curve, sample(0));
-    for (int k = 1; k < kSamples; ++k) {
+    for (int k = 1; k <= kSamples; ++k) {
       const bool next = isVisible(curve, sample(k));
       if (next == seen) continue;
       double a = sample(k - 1), b = sample(k);

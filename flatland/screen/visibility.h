@@ -24,13 +24,16 @@ class Visibility {
   bool isVisible(int curve, double t) const;
 
   /// The parameter intervals of `curve` that are visible, in order, ends accurate to about 1e-9:
-  /// what the 1D drawing shows.
+  /// what the 1D drawing shows. Found at the first call and kept. Where curves cross each other
+  /// twice within 1/16 of the stretch between two folds, both crossings may be missed.
   struct Interval {
     double tLow, tHigh;
   };
-  std::vector<Interval> visibleIntervals(int curve) const;
+  const std::vector<Interval>& visibleIntervals(int curve) const;
 
  private:
+  std::vector<Interval> findVisibleIntervals(int curve) const;
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

@@ -153,7 +153,7 @@ std::optional<TermConvention> termConventionNamed(std::string_view name) {
 std::optional<std::string> OffsetStudyOptions::whyInvalid() const {
   if (curves < 1) return "a study needs at least 1 curve";
   if (points < 3 || points > 9) return "curves of a study have 3 to 9 control points";
-  if (!(scale > 0.0) || scale > 1e100) return "the scale must be positive";
+  if (!(scale >= 1e-50 && scale <= 1e50)) return "the scale must lie between 1e-50 and 1e50";
   return std::nullopt;
 }
 

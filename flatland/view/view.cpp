@@ -35,7 +35,9 @@ std::optional<double> screenCoordinate(const ViewFrame& frame, const Vec2& point
   const double along = point.dot(frame.axis);
   if (!frame.distance) return along;
   const double depth = *frame.distance - point.dot(frame.towards);
-  if (!(depth > 0.0)) return std::nullopt;
+  // Beside the viewer the image runs off to infinity; rounding must not bring it back.
+  constexpr double kBesideViewer = 0x1p-44;
+  if (!(depth > kBesideViewer * *frame.distance)) return std::nullopt;
   return *frame.distance * along / depth;
 }
 

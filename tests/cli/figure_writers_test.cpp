@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <regex>
 #include <sstream>
 
 #include "flatland/io/scene_json.h"
@@ -156,35 +155,51 @@ TEST(Tikz, WritesEveryShape) {
   EXPECT_TRUE(has("% first"));
 }
 
+/// What stands between `from` and the next of the characters `to`, wherever `from` is in the line.
+std::vector<std::string> between(const std::string& line, const std::string& from,
+                                 const std::string& to) {
+  std::vector<std::string> found;
+  for (std::size_t at = line.find(from); at != std::string::npos; at = line.find(from, at)) {
+    at += from.size();
+    found.push_back(line.substr(at, line.find_first_of(to, at) - at));
+  }
+  return found;
+}
+
 TEST(Tikz, CompilesAsFarAsBracesAndEnvironmentsGo) {
   for (const Preset& preset : presets()) {
     const std::string tikz = figureToTikz(flatFigureOf(preset.scene), kSource);
     int braces = 0;
+    int colours = 0;
     std::vector<std::string> open;
     std::istringstream lines(tikz);
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind('%', 0) == 0) continue;
-      for (const char c : std::regex_replace(line, std::regex(R"(\\[{}])"), "")) {
-        braces += c == '{' ? 1 : c == '}' ? -1 : 0;
-        ASSERT_GE(braces, 0);
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '\\') {
+          ++i;  // an escaped brace is text
+        } else {
+          braces += line[i] == '{' ? 1 : line[i] == '}' ? -1 : 0;
+          ASSERT_GE(braces, 0);
+        }
       }
-      std::smatch found;
-      if (std::regex_search(line, found, std::regex(R"(\\begin\{(\w+)\})")))
-        open.push_back(found[1]);
-      if (std::regex_search(line, found, std::regex(R"(\\end\{(\w+)\})"))) {
+      for (const std::string& name : between(line, "\\begin{", "}")) open.push_back(name);
+      for (const std::string& name : between(line, "\\end{", "}")) {
         ASSERT_FALSE(open.empty());
-        EXPECT_EQ(open.back(), found[1]);
+        EXPECT_EQ(open.back(), name);
         open.pop_back();
       }
-      // Every colour used is defined above.
-      static const std::regex kUse("(draw|fill|text)=([^,\\]]+)");
-      for (std::sregex_iterator use(line.begin(), line.end(), kUse); use != std::sregex_iterator();
-           ++use) {
-        EXPECT_NE(tikz.find("\\providecolor{" + (*use)[2].str() + "}"), std::string::npos) << line;
+      // Every colour used is defined.
+      for (const char* use : {"draw=", "fill=", "text="}) {
+        for (const std::string& name : between(line, use, ",]")) {
+          ++colours;
+          EXPECT_NE(tikz.find("\\providecolor{" + name + "}"), std::string::npos) << line;
+        }
       }
     }
     EXPECT_EQ(braces, 0);
     EXPECT_TRUE(open.empty());
+    EXPECT_GT(colours, 20);
   }
 }
 

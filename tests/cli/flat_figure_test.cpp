@@ -348,26 +348,39 @@ TEST(FlatFigure, TheViewerIsShownWhenNear) {
 
 TEST(FlatFigure, AViewportOfAnyZoomStaysSmallAndFinite) {
   const Scene scene = defaultScene();
-  const Vec2 target = pointAt(scene.curves[0].chain, 0.4);
-  for (const double scale : {1e-3, 1.0, 1e3, 1e6, 1e9}) {
-    FlatFigureOptions options;
-    options.legend = false;
-    options.transform =
-        FigureTransform{scale, Vec2(320.0 - scale * target.x(), 240.0 + scale * target.y())};
-    const Figure figure = figureOf(scene, options);
-    std::size_t points = 0;
-    for (const FigureGroup& group : figure.groups) {
-      for (const PathShape& shape : pathsOf(group)) {
-        for (const Vec2& p : shape.path.points) {
-          EXPECT_TRUE(p.allFinite());
-          EXPECT_LT(p.cwiseAbs().maxCoeff(), 1e4) << group.id << " at scale " << scale;
-          ++points;
+  const ViewFrame frame = frameOf(scene.view);
+  const std::vector<Mark> marks = findFeatures(scene).marks;
+  const auto ridge = std::find_if(marks.begin(), marks.end(), [](const Mark& mark) {
+    return mark.kind == MarkKind::Ridge && mark.visible;
+  });
+  ASSERT_NE(ridge, marks.end());
+  const Vec2 onScreen = *pointOnScreen(frame, screenLine(scene, false), ridge->point);
+  // What passes through the middle of the figure, and so must be drawn at any zoom.
+  struct Target {
+    std::string group;
+    Vec2 middle;
+  };
+  for (const Target& target :
+       {Target{"curve", pointAt(scene.curves[0].chain, 0.4)},
+        Target{"rays-ridge", 0.5 * (ridge->point + onScreen)}, Target{"screen", onScreen}}) {
+    for (const double scale : {1e-3, 1.0, 1e3, 1e6, 1e9}) {
+      FlatFigureOptions options;
+      options.legend = false;
+      options.transform = FigureTransform{
+          scale, Vec2(320.0 - scale * target.middle.x(), 240.0 + scale * target.middle.y())};
+      const Figure figure = figureOf(scene, options);
+      std::size_t points = 0;
+      for (const FigureGroup& group : figure.groups) {
+        for (const PathShape& shape : pathsOf(group)) {
+          for (const Vec2& p : shape.path.points) {
+            EXPECT_TRUE(p.allFinite());
+            EXPECT_LT(p.cwiseAbs().maxCoeff(), 1e4) << group.id << " at scale " << scale;
+            ++points;
+          }
         }
       }
-    }
-    EXPECT_LT(points, 2000U);
-    if (scale > 1.0) {
-      ASSERT_NE(groupOf(figure, "curve"), nullptr) << "the curve passes the middle";
+      EXPECT_LT(points, 2000U);
+      EXPECT_NE(groupOf(figure, target.group), nullptr) << target.group << " at scale " << scale;
     }
   }
 }

@@ -152,10 +152,13 @@ TEST(Program, OutputThatCannotBeWrittenIsReported) {
                 "/no/such/folder/a.svg: cannot be written: No such file or directory");
   expectOneLine(run({"features", "preset:thesis", "-o", "/dev/full"}), 1,
                 "/dev/full: cannot be written: No space left on device");
-  const ProgramResult full =
-      test::runProgram(FLATLAND_PROGRAM,
-                       {.arguments = {"features", "preset:thesis"}, .standardOutput = "/dev/full"});
-  expectOneLine(full, 1, "standard output: cannot be written: No space left on device");
+  // A long text fails while it is written, a short one when it is flushed.
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"features", "preset:thesis"}, {"presets", "cusp"}}) {
+    const ProgramResult full =
+        test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments, .standardOutput = "/dev/full"});
+    expectOneLine(full, 1, "standard output: cannot be written: No space left on device");
+  }
 }
 
 TEST(Features, PrintsWhatTheLibraryFinds) {

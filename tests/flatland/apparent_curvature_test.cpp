@@ -8,6 +8,8 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "flatland/features/terms.h"
@@ -212,10 +214,17 @@ TEST_P(OnSurfaces, LambdaAndItsDerivativeFollowTheDefinition) {
   }
 }
 
+std::string nameOfView(const testing::TestParamInfo<std::tuple<bool, LambdaMeasure>>& info) {
+  const bool perAngle = std::get<1>(info.param) == LambdaMeasure::PerViewAngle;
+  return std::string(std::get<0>(info.param) ? "Perspective" : "Orthographic") +
+         (perAngle ? "PerViewAngle" : "PerLength");
+}
+
 INSTANTIATE_TEST_SUITE_P(Views, OnSurfaces,
                          testing::Values(std::tuple{false, LambdaMeasure::PerLength},
                                          std::tuple{true, LambdaMeasure::PerLength},
-                                         std::tuple{true, LambdaMeasure::PerViewAngle}));
+                                         std::tuple{true, LambdaMeasure::PerViewAngle}),
+                         nameOfView);
 
 // The printed (4.8) with (4.7): the tangent frame t1, t2 of the principal directions turns in its
 // plane, D_r t1 = C(t1, t2, r) / Delta t2, D_r t2 = -C(t1, t2, r) / Delta t1, with Delta the

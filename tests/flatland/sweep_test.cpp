@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "tests/support/seed.h"
 
@@ -119,11 +120,51 @@ TEST(Sweep, ParabolaFoldsAtThirtyDegrees) {
   }
 }
 
+// Ridge or valley as findFeatures says for the scene's own view.
+TEST(Sweep, LinesCarryTheNamesOfTheSceneItself) {
+  for (const Preset& preset : presets()) {
+    for (const bool flip : {false, true}) {
+      Scene scene = preset.scene;
+      scene.curves[0].flipNormal = flip;
+      std::vector<std::pair<double, MarkKind>> lines, marks;
+      for (const SweepLine& line : sweepOf(scene).lines) lines.emplace_back(line.t, line.kind);
+      for (const Mark& mark : findFeatures(scene).marks) {
+        const bool moves = mark.kind == MarkKind::Silhouette ||
+                           mark.kind == MarkKind::ApparentRidge ||
+                           mark.kind == MarkKind::ApparentMinimum;
+        if (!moves) marks.emplace_back(mark.t, mark.kind);
+      }
+      std::sort(lines.begin(), lines.end());
+      EXPECT_EQ(lines, marks) << preset.id << (flip ? " flipped" : "");
+    }
+  }
+}
+
+// A near cusp turns its tangent by almost half a turn within 1e-4 of t; sampled from afar that
+// looks like no turn at all. x' >= 0 all along, so the tangent starts and ends within a quarter
+// turn of 0.
+TEST(Sweep, FollowsATangentThatTurnsWithinAHair) {
+  for (const double y : {0.81, 0.801, 0.80001}) {
+    const Sweep sweep = sweepOf(sceneOf({{-1.0, -0.8}, {1.0, 0.8}, {-1.0, y}, {1.0, -0.8}}));
+    double angle = 0.0, turned = 0.0;
+    bool first = true;
+    for (const SweepBranch& branch : sweep.branches) {
+      if (branch.kind != MarkKind::Silhouette) continue;
+      if (!first) turned += halfTurnDeg(branch.points.front().angleDeg - angle);
+      first = false;
+      turned += branch.points.back().angleDeg - branch.points.front().angleDeg;
+      angle = branch.points.back().angleDeg;
+    }
+    const double expected = -std::atan2(y + 0.8, 2.0) - std::atan2(1.6, 2.0);
+    EXPECT_NEAR(turned, expected * 180.0 / std::numbers::pi, 1e-6) << y;
+  }
+}
+
 TEST(Sweep, ApparentRidgeRunsIntoTheSilhouetteAtAnInflection) {
   const Sweep sweep = sweepOf(sceneOf({{-0.4, -1.0}, {1.6, -0.6}, {-1.6, 0.6}, {0.4, 1.0}}));
   const auto event =
       std::find_if(sweep.events.begin(), sweep.events.end(),
-                   [](const SweepEvent& e) { return e.what == SweepEvent::What::Silhouette; });
+                   [](const SweepEvent& e) { return e.what == SweepEvent::What::MeetsSilhouette; });
   ASSERT_NE(event, sweep.events.end());
   EXPECT_NEAR(event->t, 0.5, 1e-15);
   // The tangent there is p3 + p2 - p1 - p0 = (-2.4, 3.2).

@@ -37,7 +37,8 @@ for page in "$root"/README.md "$root"/docs/user/*.md; do
       : >"$file"
     elif [ "$fence" = sh ]; then
       command="${line/#.\/dev run /flatland }"
-      if [[ $command =~ ^flatland\ (features|draw|shot|presets|--help|--version) ]]; then
+      # A scene alone has a dot or colon in its name and would open the window.
+      if [[ $command =~ ^flatland\ (--[a-z-]+|[a-z]+)(\ |$) ]]; then
         run=$((run + 1))
         # bash, for an example may have a pipe or a redirection; a failing part fails the whole.
         if ! bash -o pipefail -c "$command" >"$scratch/output" 2>&1 </dev/null; then

@@ -10,7 +10,7 @@
 
 namespace flatland::test {
 
-/// Any length a scene may hold: every exponent up to that of 1e100, subnormals and both zeros
+/// Any length a scene may hold: every exponent up to that of 1e50, subnormals and both zeros
 /// included.
 inline double anyLength(Random& random) {
   for (;;) {

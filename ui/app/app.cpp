@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "flatland/io/atomic_file.h"
+#include "flatland/io/input_error.h"
 #include "ui/app/main_window.h"
 #include "ui/app/paths.h"
 
@@ -33,12 +34,6 @@ void setUpApplication() {
     font.setPointSizeF(kSmallestFontPt);
     QApplication::setFont(font);
   }
-}
-
-bool hasDisplay() {
-  return !qEnvironmentVariableIsEmpty("DISPLAY") ||
-         !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
-         !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
 /// Lets the window lay itself out and paint.
@@ -74,7 +69,9 @@ int runWindow(int& argc, char** argv, const std::optional<std::filesystem::path>
 
 int takeShot(int& argc, char** argv, const std::optional<Scene>& scene,
              const std::filesystem::path& output, int width, int height) {
-  if (!hasDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");
+  // Never on a display: the picture is then the same everywhere, and a display that is gone does no
+  // harm.
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
   setUpApplication();
   const QString name = scene ? QString() : presetName(presets().front());
@@ -87,7 +84,9 @@ int takeShot(int& argc, char** argv, const std::optional<Scene>& scene,
   QByteArray png;
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);
-  window.grab().save(&buffer, "PNG");
+  if (!window.grab().save(&buffer, "PNG")) {
+    throw InputError(output.string(), "", "no picture of this size can be made");
+  }
   writeFileAtomically(output,
                       std::string_view(png.constData(), static_cast<std::size_t>(png.size())));
   return 0;

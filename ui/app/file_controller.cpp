@@ -82,15 +82,16 @@ bool FileController::saveAs() {
   if (name.isEmpty()) return false;
   if (QFileInfo(name).suffix().isEmpty()) {
     name += kSuffix;
-    // The dialog has asked about the name without the suffix only.
-    if (QFileInfo::exists(name) &&
-        QMessageBox::question(&window_, tr("Save scene as"),
-                              tr("%1 exists. Replace it?").arg(QFileInfo(name).fileName())) !=
-            QMessageBox::Yes) {
-      return false;
-    }
+    if (!mayReplace(name)) return false;
   }
   return saveTo(name);
+}
+
+bool FileController::mayReplace(const QString& name) {
+  if (!QFileInfo::exists(name)) return true;
+  return QMessageBox::question(&window_, tr("Replace file"),
+                               tr("%1 exists. Replace it?").arg(QFileInfo(name).fileName())) ==
+         QMessageBox::Yes;
 }
 
 bool FileController::saveTo(const QString& name) {

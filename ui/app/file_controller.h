@@ -34,6 +34,9 @@ class FileController : public QObject {
   /// True if nothing unsaved is left, the person let it go, or it has been saved now.
   bool mayDiscard();
 
+  /// True if there is no such file, or the person says it may be replaced.
+  bool mayReplace(const QString& name);
+
   /// Files opened or saved last, newest first; also those that are gone in the meantime.
   QStringList recentFiles() const;
   void clearRecentFiles();

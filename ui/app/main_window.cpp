@@ -48,9 +48,9 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
   setObjectName("window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
+  status_ = new StatusLine(*statusBar(), document_);
   buildCentre();
   buildDocks();
-  status_ = new StatusLine(*statusBar(), document_);
   files_ = new FileController(*this, document_, *messages_, settings_);
   edits_ = new EditController({document_, selection_, viewport_, display_, stage_}, this);
   buildMenuBar();
@@ -102,8 +102,9 @@ void MainWindow::buildDocks() {
       addDock("view", tr("View"), new ViewPanel(document_, stage_), Qt::RightDockWidgetArea);
   legendDock_ = addDock("legend", tr("Legend"), new LegendPanel(document_, display_),
                         Qt::RightDockWidgetArea);
-  pointsDock_ = addDock("points", tr("Points"), new PointsPanel(document_, selection_),
-                        Qt::RightDockWidgetArea);
+  auto* points = new PointsPanel(document_, selection_);
+  connect(points, &PointsPanel::refused, status_, &StatusLine::say);
+  pointsDock_ = addDock("points", tr("Points"), points, Qt::RightDockWidgetArea);
   marksDock_ = addDock("marks", tr("Marks"), new MarksPanel(models), Qt::BottomDockWidgetArea);
 }
 
@@ -183,7 +184,10 @@ void MainWindow::exportFigure() {
                                               QDir(folder).filePath(tr("picture") + "." + suffix),
                                               tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix));
   if (name.isEmpty()) return;
-  if (QFileInfo(name).suffix().isEmpty()) name += "." + suffix;
+  if (QFileInfo(name).suffix().compare(suffix, Qt::CaseInsensitive) != 0) {
+    name += "." + suffix;
+    if (!files_->mayReplace(name)) return;
+  }
   try {
     exportTo(toPath(name), document_, settings);
   } catch (const InputError& error) {

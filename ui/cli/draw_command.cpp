@@ -81,7 +81,7 @@ void addDrawCommand(CLI::App& app, Action& action, const std::string& commandLin
                   "PNG: pixels per inch; a pixel of --size is 1/96 inch, so 192 doubles it [96]")
       ->type_name("DPI")
       ->check(CLI::Range(8.0, 4800.0).description(""));
-  addKinds(command, options->kinds);
+  addKinds(command, options->kinds, "all but flat and apparent-minimum");
   command
       .add_option("--hidden", options->hidden, "What the viewer cannot see: pale or remove [pale]")
       ->type_name("HOW")

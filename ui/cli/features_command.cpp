@@ -2,6 +2,7 @@
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/features_text.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/picture.h"
 #include "ui/cli/scene_argument.h"
 
 namespace flatland::ui {
@@ -11,7 +12,7 @@ namespace {
 struct Options {
   std::string scene;
   std::optional<double> viewAngleDeg;
-  std::string format = "json";
+  std::string format;  // empty: as the output's name says, else json
   std::string output;
 };
 
@@ -19,8 +20,9 @@ int run(const Options& options) {
   Scene scene = sceneFromArgument(options.scene);
   if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
   const FeatureSet features = findFeatures(scene);
-  const std::string text =
-      options.format == "csv" ? featuresToCsv(features) : featuresToJson(features, scene.view);
+  const bool csv =
+      options.format.empty() ? extensionOf(options.output) == ".csv" : options.format == "csv";
+  const std::string text = csv ? featuresToCsv(features) : featuresToJson(features, scene.view);
   if (options.output.empty()) {
     writeToStandardOutput(text);
   } else {
@@ -40,7 +42,8 @@ void addFeaturesCommand(CLI::App& app, Action& action) {
       "equation, a residual, and whether it is seen.");
   command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
   addViewAngle(command, options->viewAngleDeg);
-  command.add_option("--format", options->format, "json or csv [json]")
+  command
+      .add_option("--format", options->format, "json or csv [csv if -o ends in .csv, else json]")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"json", "csv"}).description(""));
   command.add_option("-o,--output", options->output, "Write to this file, not to standard output")

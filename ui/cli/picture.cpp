@@ -59,11 +59,11 @@ void writePicture(const std::string& file, const Figure& figure, const FigureSou
   writeFileAtomically(file, contents);
 }
 
-void addKinds(CLI::App& command, std::vector<std::string>& names) {
+void addKinds(CLI::App& command, std::vector<std::string>& names, const std::string& usual) {
   command
-      .add_option("--kinds", names,
-                  "Marks to show, separated by commas: " + allKindNames() +
-                      ", all, none [all but flat and apparent-minimum]")
+      .add_option(
+          "--kinds", names,
+          "Marks to show, separated by commas: " + allKindNames() + ", all, none [" + usual + "]")
       ->type_name("LIST")
       ->delimiter(',')
       ->check(CLI::Validator(whyNotKind, ""));

@@ -24,8 +24,8 @@ void requireQtFor(const std::string& file);
 void writePicture(const std::string& file, const Figure& figure, const FigureSource& source,
                   double dpi = 96.0);
 
-/// The option --kinds LIST: names of kinds, all or none.
-void addKinds(CLI::App& command, std::vector<std::string>& names);
+/// The option --kinds LIST: names of kinds, all or none. `usual` says what is shown without it.
+void addKinds(CLI::App& command, std::vector<std::string>& names, const std::string& usual);
 
 /// The kinds that --kinds named; the usual ones if it named nothing.
 MarkKinds kindsNamed(const std::vector<std::string>& names);

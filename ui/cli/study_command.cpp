@@ -70,8 +70,11 @@ Begun readBegun(const Options& options) {
   std::string line, last;
   std::string start(header.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  if (file.gcount() == 0) return begun;  // interrupted before the first byte
-  if (start != header) throw InputError(options.output, "line 1", "is not a table of this study");
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  if (!header.starts_with(start)) {
+    throw InputError(options.output, "line 1", "is not a table of this study");
+  }
+  if (start != header) return begun;  // interrupted within the header
   begun.bytes = header.size();
   // A line without its end was being written when the run was interrupted.
   while (std::getline(file, line) && !file.eof()) {
@@ -131,7 +134,8 @@ std::string summaryText(const Options& options, int threads) {
 
 int run(Options options) {
   options.study.convention = *termConventionNamed(options.convention);
-  if (const auto why = options.study.whyInvalid()) throw UsageError(*why);
+  if (const auto why = options.study.whyInvalid())
+    throw UsageError(*why + " (see flatland study offset --help)");
   if (options.resume && (options.format != "csv" || options.output.empty())) {
     throw UsageError("--resume needs --format csv and -o FILE");
   }

@@ -46,7 +46,16 @@ std::vector<double> curveLengths(const Scene& scene) {
 int run(const Options& options, const std::string& commandLine) {
   if (!isTable(options.output)) requireQtFor(options.output);
   const Scene scene = sceneFromArgument(options.scene);
-  const Sweep sweep = sweepOf(scene);
+  Sweep sweep = sweepOf(scene);
+  // Without --kinds a picture shows where ridges are born too, and a table everything.
+  MarkKinds kinds = kindsNamed(options.kinds);
+  if (options.kinds.empty()) kinds.set(static_cast<std::size_t>(MarkKind::ApparentMinimum));
+  if (!options.kinds.empty()) {
+    const auto unwanted = [&](const auto& item) { return !contains(kinds, item.kind); };
+    std::erase_if(sweep.lines, unwanted);
+    std::erase_if(sweep.branches, unwanted);
+    if (!contains(kinds, MarkKind::ApparentRidge)) sweep.events.clear();
+  }
   if (isTable(options.output)) {
     writeFileAtomically(options.output, sweepToCsv(sweep));
     return kDone;
@@ -54,10 +63,7 @@ int run(const Options& options, const std::string& commandLine) {
   SweepFigureOptions figure;
   figure.width = options.size.width;
   figure.height = options.size.height;
-  figure.kinds = kindsNamed(options.kinds);
-  if (options.kinds.empty()) {
-    figure.kinds.set(static_cast<std::size_t>(MarkKind::ApparentMinimum));  // where ridges are born
-  }
+  figure.kinds = kinds;
   figure.palette = options.dark ? Palette::Dark : Palette::Light;
   figure.viewAngleDeg = scene.view.angleDeg;
   writePicture(
@@ -87,7 +93,7 @@ void addSweepCommand(CLI::App& app, Action& action, const std::string& commandLi
       ->type_name("FILE")
       ->check(CLI::Validator(whyNotOutput, ""));
   addSize(command, options->size);
-  addKinds(command, options->kinds);
+  addKinds(command, options->kinds, "all but flat; a table: all");
   command.add_flag("--dark", options->dark, "Colours for a dark background");
   command.footer(
       "Examples:\n"

@@ -229,8 +229,8 @@ std::string figureToTikz(const Figure& figure, const FigureSource& source) {
     }
   }
 
-  std::string tikz = "% " + cleanText(source.title) +
-                     "\n% Compiles alone; or \\input it after "
+  std::string tikz = commented(source.title) +
+                     "% Compiles alone; or \\input it after "
                      "\\usepackage{standalone,tikz}.\n";
   tikz += "% Made by:\n" + commented(source.program) + "% Command:\n" + commented(source.command) +
           "% Scene:\n" + commented(source.sceneJson);

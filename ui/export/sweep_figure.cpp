@@ -161,8 +161,8 @@ class Builder {
                    b = branch.points[i + 1].angleDeg + shiftDeg;
       const double ua = branch.points[i].u, ub = branch.points[i + 1].u;
       const double from = std::clamp(a, kFirstDeg, kLastDeg),
-                   to2 = std::clamp(b, kFirstDeg, kLastDeg);
-      if (from == to2 && a != b) {
+                   until = std::clamp(b, kFirstDeg, kLastDeg);
+      if (from == until && a != b) {
         drawing = false;
         continue;
       }
@@ -170,8 +170,8 @@ class Builder {
         return a == b ? ub : ua + (ub - ua) * (angle - a) / (b - a);
       };
       if (!drawing) path.moveTo(at(from, a == b ? ua : uAt(from)));
-      path.lineTo(at(to2, uAt(to2)));
-      drawing = to2 == b;
+      path.lineTo(at(until, uAt(until)));
+      drawing = until == b;
     }
     if (!path.verbs.empty())
       to.shapes.emplace_back(PathShape{std::move(path), std::nullopt, stroke});

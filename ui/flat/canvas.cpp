@@ -102,6 +102,8 @@ void FlatCanvas::mousePressEvent(QMouseEvent* event) {
 }
 
 void FlatCanvas::mouseMoveEvent(QMouseEvent* event) {
+  // The button went up where no one told the canvas, over another window for example.
+  if (gesture_ && event->buttons() == Qt::NoButton) cancelGesture();
   if (gesture_) {
     gesture_->move(pointerOf(*event));
     showHint();
@@ -210,6 +212,7 @@ void FlatCanvas::focusInEvent(QFocusEvent* event) {
 }
 
 void FlatCanvas::focusOutEvent(QFocusEvent*) {
+  if (gesture_) cancelGesture();
   panKey_ = false;
   unsetCursor();
   update();

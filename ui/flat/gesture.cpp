@@ -93,8 +93,9 @@ QString describe(const CanvasModels& models, const Target& target) {
 }
 
 QString coordinates(const Viewport& viewport, const Vec2& point) {
+  // Clamped before the cast, for any zoom.
   const int decimals =
-      std::clamp(static_cast<int>(std::ceil(std::log10(viewport.scale()))) + 1, 0, 12);
+      static_cast<int>(std::clamp(std::ceil(std::log10(viewport.scale())) + 1.0, 0.0, 12.0));
   return QStringLiteral("%1, %2").arg(point.x(), 0, 'f', decimals).arg(point.y(), 0, 'f', decimals);
 }
 

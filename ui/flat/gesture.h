@@ -19,8 +19,9 @@ struct Pointer {
 };
 
 /// What a pressed button does until it is let go, one object from press to release. A gesture acts
-/// on the models only; it ends with either finish() or cancel(), and cancel() leaves everything as
-/// it was before the press.
+/// on the models only; it ends with either finish() or cancel(), and cancel() leaves the scene as
+/// it was before the press (what had been undone can then no longer be redone). It is dropped
+/// without either if it does not survive a change.
 class Gesture {
   Q_DECLARE_TR_FUNCTIONS(Gesture)
  public:

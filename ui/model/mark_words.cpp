@@ -45,13 +45,14 @@ Words wordsOf(MarkKind kind) {
       return {QT_TRANSLATE_NOOP("MarkWords", "Apparent ridge"),
               QT_TRANSLATE_NOOP("MarkWords", "Apparent ridges"),
               QT_TRANSLATE_NOOP("MarkWords",
-                                "The curvature as seen on the screen, \u03bb, is greatest.")};
+                                "The curvature as seen on the screen, \u03bb, has a maximum.")};
     case MarkKind::ApparentMinimum:
       break;
   }
   return {QT_TRANSLATE_NOOP("MarkWords", "Apparent minimum"),
           QT_TRANSLATE_NOOP("MarkWords", "Apparent minima"),
-          QT_TRANSLATE_NOOP("MarkWords", "The curvature as seen on the screen, \u03bb, is least.")};
+          QT_TRANSLATE_NOOP("MarkWords",
+                            "The curvature as seen on the screen, \u03bb, has a minimum.")};
 }
 
 QString translated(const char* text) { return QCoreApplication::translate("MarkWords", text); }

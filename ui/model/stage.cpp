@@ -115,7 +115,8 @@ double Stage::suggestedDistance() const {
 }
 
 int Stage::distanceDecimals() const {
-  return std::clamp(3 - static_cast<int>(std::floor(std::log10(radius_))), 0, 15);
+  // Clamped before the cast, for any radius a scene may have.
+  return static_cast<int>(std::clamp(3.0 - std::floor(std::log10(radius_)), 0.0, 15.0));
 }
 
 Bounds Stage::fitBox() const {

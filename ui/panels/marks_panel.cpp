@@ -28,7 +28,7 @@ QString widestText(int column) {
     case MarksModel::T:
     case MarksModel::U:
     case MarksModel::Screen:
-      return QStringLiteral("-1.234567M");
+      return QStringLiteral("-0.01234567M");
     case MarksModel::Residual:
       return QStringLiteral("ResidualMM");
     default:

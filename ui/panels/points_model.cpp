@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "flatland/io/scene_json.h"
 #include "ui/commands/curve_commands.h"
 
 namespace flatland::ui {
@@ -83,7 +84,14 @@ bool PointsModel::setData(const QModelIndex& index, const QVariant& value, int r
   bool isNumber = false;
   // A decimal comma is taken as one: coordinates have no thousands to group.
   const double typed = value.toString().trimmed().replace(',', '.').toDouble(&isNumber);
-  if (!isNumber || !std::isfinite(typed)) return false;
+  if (!isNumber || !std::isfinite(typed)) {
+    emit refused(tr("\u201c%1\u201d is not a number; the coordinate stays.").arg(value.toString()));
+    return false;
+  }
+  if (std::abs(typed) > kLargestLength) {
+    emit refused(tr("Coordinates lie within %1; the coordinate stays.").arg(kLargestLength));
+    return false;
+  }
   const PointRef ref = refOf(index.row());
   Vec2 target = document_.scene().curves[ref.curve].chain.points()[ref.point];
   (index.column() == X ? target.x() : target.y()) = typed;

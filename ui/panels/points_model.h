@@ -8,7 +8,8 @@
 namespace flatland::ui {
 
 /// The control points of all curves as a table whose coordinates can be typed. An edit is a
-/// command; text that is no finite number is refused and nothing changes.
+/// command; text that is no number, or one beyond what a scene file can hold, is refused and
+/// nothing changes.
 class PointsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -26,6 +27,10 @@ class PointsModel : public QAbstractTableModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ signals:
+  /// Why a typed coordinate was not taken, for the status line.
+  void refused(const QString& why);
 
  private:
   void documentChanged(const Change& change);

@@ -36,6 +36,7 @@ PointsPanel::PointsPanel(Document& document, Selection& selection, QWidget* pare
       selection_(selection),
       points_(new PointsModel(document, this)),
       table_(new QTableView(this)) {
+  connect(points_, &PointsModel::refused, this, &PointsPanel::refused);
   table_->setObjectName("points.table");
   table_->setAccessibleName(tr("Control points"));
   table_->setToolTip(tr("Double-click a coordinate, or press F2, to type it."));

@@ -18,6 +18,10 @@ class PointsPanel : public QWidget {
  public:
   PointsPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
 
+ signals:
+  /// See PointsModel::refused().
+  void refused(const QString& why);
+
  private:
   void rowsPicked();
   void showSelection();
