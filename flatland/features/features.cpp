@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <tuple>
 
@@ -23,12 +24,16 @@ constexpr std::array<std::string_view, kMarkKindCount> kNames = {
 // Relative to the control polygon; about what arcLength can reach.
 constexpr double kArcLengthAccuracy = 1e-13;
 
+// Sixth powers of lengths, and of their inverses, stay finite up to here.
+constexpr double kLargestExtent = 1e52;
+
 double controlPolygonLength(const BezierChain& chain) {
   double length = 0.0;
   for (int i = 0; i < chain.pieceCount(); ++i) {
     const Bezier piece = chain.piece(i);
     for (std::size_t j = 0; j + 1 < piece.points.size(); ++j) {
-      length += (piece.points[j + 1] - piece.points[j]).norm();
+      const Vec2 side = piece.points[j + 1] - piece.points[j];
+      length += std::hypot(side.x(), side.y());  // squares could vanish or overflow
     }
   }
   return length;
@@ -109,6 +114,11 @@ FeatureSet findFeatures(const Scene& scene) {
     const BezierChain& chain = curve.chain;
     const int side = normalSide(curve, frame);
     const double length = controlPolygonLength(chain);
+    if (length > kLargestExtent || (length > 0.0 && length < 1.0 / kLargestExtent)) {
+      result.unresolved.push_back({MarkKind::Silhouette, i, 0.0, chain.pieceCount() + 0.0,
+                                   "the curve is too large or too small for double precision"});
+      continue;
+    }
     CurveMarks found = findCurveMarks(chain, frame, side);
 
     std::vector<Mark> marks;

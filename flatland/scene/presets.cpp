@@ -32,6 +32,15 @@ Scene circle() {
           {}};
 }
 
+// Seen from well off the line through its ends, where the sides would change names; the normal is
+// flipped to point out of the loop.
+Scene loop() {
+  Scene scene = single({{-1.0, -1.0}, {2.2, 0.6}, {0.0, 2.0}, {-2.2, 0.6}, {1.0, -1.0}},
+                       {40.0, std::nullopt});
+  scene.curves[0].flipNormal = true;
+  return scene;
+}
+
 std::vector<Preset> makePresets() {
   return {
       {"thesis", "Thesis figure 3-4",
@@ -61,8 +70,7 @@ std::vector<Preset> makePresets() {
        "A cubic whose speed vanishes at t = 1/2: the tangent turns back, a corner of 180 degrees.",
        single({{-1.0, -0.8}, {1.0, 0.8}, {-1.0, 0.8}, {1.0, -0.8}}, {30.0, std::nullopt})},
       {"loop", "Loop", "A curve that crosses itself and hides part of itself from the screen.",
-       single({{-1.0, -1.0}, {2.2, 0.6}, {0.0, 2.0}, {-2.2, 0.6}, {1.0, -1.0}},
-              {40.0, std::nullopt})},
+       loop()},
   };
 }
 

@@ -246,7 +246,7 @@ TEST(Draw, SvgNeedsNoQtAndMakesItselfAgain) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "it's.svg").string();
   const std::vector<std::string> arguments{
-      "draw",    "preset:loop",      "-o",       file,     "--size",           "500x400",
+      "draw",    "preset:circle",    "-o",       file,     "--size",           "500x400",
       "--kinds", "ridge,silhouette", "--hidden", "remove", "--control-polygon"};
   const ProgramResult result = run(arguments);
   ASSERT_EQ(result.exitCode, 0) << result.err;

@@ -58,6 +58,17 @@ TEST(Joints, InfiniteCurvatureIsNotEverything) {
   EXPECT_EQ(inflections, 1);
 }
 
+// Squares and cubes of such sizes leave the range of double; better no answer than a wrong one.
+TEST(Extremes, SizesBeyondDoubleAreSaidNotGuessed) {
+  for (const double size : {1e-120, 1e-200, 1e100}) {
+    const FeatureSet features = findFeatures(
+        {{{BezierChain(Bezier{{{0, 0}, {size, 2 * size}, {2 * size, -size}, {3 * size, 0}}})}},
+         {}});
+    EXPECT_TRUE(features.marks.empty());
+    EXPECT_FALSE(features.complete());
+  }
+}
+
 // A curve through the viewer: nothing there is finite nonsense.
 TEST(Joints, CurveThroughTheViewerHasNoNumbersThere) {
   Scene scene{{{BezierChain(Bezier{{{-1, 1}, {2, 0.5}, {2, -0.5}, {-1, -1}}})}}, {0.0, 1.25}};
