@@ -7,6 +7,7 @@
 
 #include "flatland/curve/arc_length.h"
 #include "flatland/curve/bezier_chain.h"
+#include "flatland/curve/chain_editing.h"
 #include "tests/support/precise.h"
 #include "tests/support/seed.h"
 
@@ -287,6 +288,25 @@ TEST(Chains, EditsKeepTheShape) {
                 arcLength(chain, 0, pieces, 1e-12).value, 1e-11);
     EXPECT_NEAR(twiceSignedArea(reversed(chain)), -twiceSignedArea(chain), 1e-13);
     EXPECT_NEAR(twiceSignedArea(split), twiceSignedArea(chain), 1e-13);
+  }
+  // A joint that was inserted and not moved can be taken out again without a trace.
+  for (int i = 0; i < 60; ++i) {
+    const int degree = 2 + i % 5;
+    const BezierChain curve(randomBezier(random, degree + 1));
+    const BezierChain split = splitAt(curve, uniform(random, 0.1, 0.9));
+    const RemovalResult back = removePoints(split, {static_cast<std::size_t>(degree)});
+    ASSERT_TRUE(back.chain) << back.reason;
+    ASSERT_EQ(back.chain->points().size(), curve.points().size());
+    for (std::size_t k = 0; k < curve.points().size(); ++k) {
+      EXPECT_LT((back.chain->points()[k] - curve.points()[k]).norm(), 1e-9) << degree;
+    }
+    // Moved, it cannot; the ends stay where they are.
+    const auto moved =
+        movePoints(split, {static_cast<std::size_t>(degree)}, {0.3, 0.2}, JointMode::Keep);
+    const RemovalResult other = removePoints(moved, {static_cast<std::size_t>(degree)});
+    ASSERT_TRUE(other.chain) << other.reason;
+    EXPECT_EQ(other.chain->points().front(), curve.points().front());
+    EXPECT_EQ(other.chain->points().back(), curve.points().back());
   }
   EXPECT_DOUBLE_EQ(twiceSignedArea(BezierChain(1, true, {{0, 0}, {1, 0}, {1, 1}, {0, 1}})), 2.0);
   // Under y = 1 - x^2 ... the parabola's arch over its chord: area 4/3 below, walked clockwise.

@@ -3,6 +3,7 @@
 #include <QDoubleSpinBox>
 #include <QSignalSpy>
 #include <QWheelEvent>
+#include <algorithm>
 
 #include "tests/ui/support_window.h"
 
@@ -262,6 +263,22 @@ class EditingTest : public QObject {
     QVERIFY2((d.atPoint(inserted) - place).manhattanLength() <= 4, "the new point is selected");
     d.canvasKey(Qt::Key_Delete);
     QCOMPARE(d.chain().pieceCount(), chain.pieceCount());
+    // Inserted and not moved: taking it out again leaves the curve as it was.
+    QVERIFY(shapeDistance(d.chain(), chain) < 1e-7);
+    QVERIFY(shapeDistance(chain, d.chain()) < 1e-7);
+  }
+
+  void doubleClickOnAMarkInsertsThere() {
+    WindowDriver& d = *driver_;
+    const auto marks = d.document().features().marks;
+    const auto mark = std::find_if(marks.begin(), marks.end(),
+                                   [](const Mark& m) { return m.kind == MarkKind::Inflection; });
+    QVERIFY(mark != marks.end());
+    QTest::mouseDClick(&d.canvas(), Qt::LeftButton, {}, d.at(mark->point));
+    d.settle();
+    QCOMPARE(d.chain().pieceCount(), 2);
+    const auto joint = static_cast<std::size_t>(d.chain().degree());
+    QVERIFY((d.chain().points()[joint] - mark->point).norm() < 1e-12);
   }
 
   void deleteRemovesSelectedPoints() {

@@ -126,19 +126,33 @@ void FlatCanvas::mouseReleaseEvent(QMouseEvent* event) {
 void FlatCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
   const Target target = targetAt(models_, size(), event->position());
   if (event->button() == Qt::LeftButton && target.what == Target::What::Curve) {
-    insertPointAt(target);
+    insertPointAt(target.point.curve, target.t);
+    hover(event->position());
+  } else if (const auto mark = markOnCurve(target, event->position());
+             mark && event->button() == Qt::LeftButton) {
+    // The very place of the mark, to its last bits.
+    insertPointAt(static_cast<std::size_t>(mark->curve), mark->t);
     hover(event->position());
   } else {
     mousePressEvent(event);  // two quick clicks on a point or on nothing are two clicks
   }
 }
 
-void FlatCanvas::insertPointAt(const Target& target) {
-  const std::size_t curve = target.point.curve;
+std::optional<Mark> FlatCanvas::markOnCurve(const Target& target, const QPointF& at) const {
+  if (target.what != Target::What::Mark) return std::nullopt;
+  constexpr double kReachPx = 12.0;  // its image on the screen is another matter
+  const Mark& mark = models_.document.features().marks[target.mark];
+  const QPointF away = models_.viewport.toWidget(mark.point) - at;
+  if (std::hypot(away.x(), away.y()) > kReachPx) return std::nullopt;
+  return mark;
+}
+
+void FlatCanvas::insertPointAt(std::size_t curve, double t) {
   const BezierChain& chain = models_.document.scene().curves[curve].chain;
-  const auto joint = static_cast<std::size_t>((chain.locate(target.t).piece + 1) * chain.degree());
-  models_.document.push(std::make_unique<InsertPoint>(models_.document, curve, target.t));
-  models_.selection.setPoints({{curve, joint}});
+  const ChainParameter at = chain.locate(t);
+  if (at.t <= 0.0 || at.t >= 1.0) return;  // there is a point already
+  models_.document.push(std::make_unique<InsertPoint>(models_.document, curve, t));
+  models_.selection.setPoints({{curve, static_cast<std::size_t>((at.piece + 1) * chain.degree())}});
 }
 
 void FlatCanvas::wheelEvent(QWheelEvent* event) {

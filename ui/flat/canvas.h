@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "ui/flat/gesture.h"
 
@@ -54,7 +55,9 @@ class FlatCanvas : public QWidget {
   void cancelGesture();
   void hover(const QPointF& position);
   void showHint();
-  void insertPointAt(const Target& target);
+  /// The mark under the pointer, if it is pointed at on its curve.
+  std::optional<Mark> markOnCurve(const Target& target, const QPointF& at) const;
+  void insertPointAt(std::size_t curve, double t);
   void nudge(const Vec2& direction, const QKeyEvent& event);
   void pinch(const QNativeGestureEvent& event);
 
