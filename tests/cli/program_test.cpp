@@ -265,7 +265,7 @@ TEST(Draw, SvgNeedsNoQtAndMakesItselfAgain) {
   // The command in the file, read by a shell, makes the same file.
   std::string command = textOf(xml, "command").value_or("");
   ASSERT_EQ(command.rfind("flatland draw", 0), 0U) << command;
-  command.replace(0, std::string("flatland").size(), FLATLAND_PROGRAM);
+  command.replace(0, std::string("flatland").size(), "'" FLATLAND_PROGRAM "'");
   std::filesystem::remove(file);
   ASSERT_EQ(test::runProgram("/bin/sh", {.arguments = {"-c", command}}).exitCode, 0) << command;
   EXPECT_EQ(contentsOf(file), svg);
