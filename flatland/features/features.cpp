@@ -111,7 +111,7 @@ FeatureSet findFeatures(const Scene& scene) {
   FeatureSet result;
   for (int i = 0; i < static_cast<int>(scene.curves.size()); ++i) {
     const SceneCurve& curve = scene.curves[static_cast<std::size_t>(i)];
-    const BezierChain& chain = curve.chain;
+    const BezierChain& chain = curve.chain();
     const int side = normalSide(curve, frame);
     const double length = controlPolygonLength(chain);
     if (length > kLargestExtent || (length > 0.0 && length < 1.0 / kLargestExtent)) {

@@ -8,7 +8,7 @@ namespace flatland {
 int normalSide(const SceneCurve& curve, const ViewFrame& frame) {
   // Ties are judged relative to the size, so that rounding does not decide them.
   constexpr double kTie = 1e-12;
-  const BezierChain& chain = curve.chain;
+  const BezierChain& chain = curve.chain();
   Vec2 low = chain.points().front(), high = low;
   for (const Vec2& p : chain.points()) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double size = (high - low).norm();

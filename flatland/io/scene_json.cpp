@@ -233,7 +233,7 @@ std::string pointsText(const std::vector<Vec2>& points, const std::string& path,
 }
 
 std::string curveText(const SceneCurve& curve, const std::string& path) {
-  const BezierChain& chain = curve.chain;
+  const BezierChain& chain = curve.chain();
   if (chain.degree() > kHighestDegree) {
     throw InputError("", path, degreeTooHigh(static_cast<std::size_t>(chain.degree())));
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "flatland/curve/bezier_chain.h"
+#include "flatland/curve/curve.h"
 #include "flatland/view/view.h"
 
 namespace flatland {
@@ -12,8 +12,12 @@ namespace flatland {
 /// One curve of a scene. Its normal points outward on a closed curve and towards the viewer on an
 /// open one (see normalSide in features/orientation.h); `flipNormal` turns it round.
 struct SceneCurve {
-  BezierChain chain;
+  Curve shape;
   bool flipNormal = false;
+
+  /// The shape as a Bezier chain. Precondition: it is one.
+  const BezierChain& chain() const { return std::get<BezierChain>(shape); }
+  BezierChain& chain() { return std::get<BezierChain>(shape); }
 
   bool operator==(const SceneCurve&) const = default;
 };

@@ -187,7 +187,7 @@ Sweep sweepOf(const Scene& scene) {
   Sweep result;
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
     const SceneCurve& curve = scene.curves[i];
-    CurveSweeper(static_cast<int>(i), curve.chain, normalSide(curve, frame), result).run();
+    CurveSweeper(static_cast<int>(i), curve.chain(), normalSide(curve, frame), result).run();
   }
   std::sort(result.events.begin(), result.events.end(),
             [](const SweepEvent& a, const SweepEvent& b) {

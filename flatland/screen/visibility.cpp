@@ -173,8 +173,8 @@ Visibility::Visibility(const Scene& scene) : parts_(std::make_unique<Parts>()) {
   const Bounds bounds = boundsOf(scene);
   if (bounds.diagonal() > 0.0) parts_->size = bounds.diagonal();
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
-    parts_->chains.push_back(scene.curves[i].chain);
-    parts_->add(static_cast<int>(i), scene.curves[i].chain);
+    parts_->chains.push_back(scene.curves[i].chain());
+    parts_->add(static_cast<int>(i), scene.curves[i].chain());
   }
   parts_->intervals.resize(scene.curves.size());
 }

@@ -121,7 +121,7 @@ TEST(ScreenLine, StandsBeyondTheCurveOnTheViewersSide) {
       EXPECT_LT(screen.offset, *frame.distance);
     }
     for (int i = 0; i <= 20; ++i) {
-      const Vec2 p = pointAt(scene.curves[0].chain, i / 20.0);
+      const Vec2 p = pointAt(scene.curves[0].chain(), i / 20.0);
       const std::optional<Vec2> seen = pointOnScreen(frame, screen, p);
       ASSERT_TRUE(seen);
       EXPECT_NEAR(seen->dot(frame.towards), screen.offset, 1e-12);
@@ -142,7 +142,7 @@ TEST(ScreenLine, GivesTheScreenCoordinatesUpToOneScale) {
   const double scale =
       (9.0 - screen.offset) / 9.0;  // the coordinate refers to the line through the origin
   for (int i = 0; i <= 10; ++i) {
-    const Vec2 p = pointAt(scene.curves[0].chain, i / 10.0);
+    const Vec2 p = pointAt(scene.curves[0].chain(), i / 10.0);
     EXPECT_NEAR(pointOnScreen(frame, screen, p)->dot(frame.axis),
                 scale * *screenCoordinate(frame, p), 1e-12);
   }
@@ -275,7 +275,7 @@ TEST(FlatFigure, TheCurveIsDrawnWhereItIs) {
       for (const Vec2& end : {shape.path.points.front(), shape.path.points.back()}) {
         const Vec2 world((end.x() - toFigure.origin.x()) / toFigure.scale,
                          -(end.y() - toFigure.origin.y()) / toFigure.scale);
-        EXPECT_LT(nearestPoint(scene.curves[0].chain, world).distance * toFigure.scale, 0.1);
+        EXPECT_LT(nearestPoint(scene.curves[0].chain(), world).distance * toFigure.scale, 0.1);
       }
       // The middle of the path's first cubic is seen, or is not.
       ASSERT_GE(shape.path.points.size(), 4U);
@@ -283,7 +283,7 @@ TEST(FlatFigure, TheCurveIsDrawnWhereItIs) {
       const Vec2 middle = (p[0] + 3.0 * p[1] + 3.0 * p[2] + p[3]) / 8.0;
       const Vec2 world((middle.x() - toFigure.origin.x()) / toFigure.scale,
                        -(middle.y() - toFigure.origin.y()) / toFigure.scale);
-      const Nearest nearest = nearestPoint(scene.curves[0].chain, world);
+      const Nearest nearest = nearestPoint(scene.curves[0].chain(), world);
       EXPECT_LT(nearest.distance * toFigure.scale, 0.1);
       EXPECT_EQ(visibility.isVisible(0, nearest.t), group == seen);
     }
@@ -361,7 +361,7 @@ TEST(FlatFigure, AViewportOfAnyZoomStaysSmallAndFinite) {
     Vec2 middle;
   };
   for (const Target& target :
-       {Target{"curve", pointAt(scene.curves[0].chain, 0.4)},
+       {Target{"curve", pointAt(scene.curves[0].chain(), 0.4)},
         Target{"rays-ridge", 0.5 * (ridge->point + onScreen)}, Target{"screen", onScreen}}) {
     for (const double scale : {1e-3, 1.0, 1e3, 1e6, 1e9}) {
       FlatFigureOptions options;

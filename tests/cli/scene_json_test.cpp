@@ -24,8 +24,8 @@ Scene read(const std::string& text) { return sceneFromJson(text, "a.json"); }
 void expectSameBits(const Scene& a, const Scene& b) {
   ASSERT_EQ(a, b);
   for (std::size_t i = 0; i < a.curves.size(); ++i) {
-    const auto& p = a.curves[i].chain.points();
-    const auto& q = b.curves[i].chain.points();
+    const auto& p = a.curves[i].chain().points();
+    const auto& q = b.curves[i].chain().points();
     for (std::size_t j = 0; j < p.size(); ++j) {
       for (int k = 0; k < 2; ++k) {
         EXPECT_EQ(std::bit_cast<std::uint64_t>(p[j][k]), std::bit_cast<std::uint64_t>(q[j][k]));
@@ -45,11 +45,11 @@ TEST(SceneJson, ReadsWhatTheFormatSays) {
     "view": {"angleDeg": -30.5, "distance": 7}
   })");
   ASSERT_EQ(scene.curves.size(), 3U);
-  EXPECT_EQ(scene.curves[0].chain, BezierChain(Bezier{{{0, 1}, {2.5, -3}, {1000, 4}}}));
+  EXPECT_EQ(scene.curves[0].chain(), BezierChain(Bezier{{{0, 1}, {2.5, -3}, {1000, 4}}}));
   EXPECT_TRUE(scene.curves[0].flipNormal);
-  EXPECT_EQ(scene.curves[1].chain, BezierChain(2, true, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+  EXPECT_EQ(scene.curves[1].chain(), BezierChain(2, true, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
   EXPECT_FALSE(scene.curves[1].flipNormal);
-  EXPECT_EQ(scene.curves[2].chain, BezierChain(1, false, {{0, 0}, {1, 0}, {1, 1}}));
+  EXPECT_EQ(scene.curves[2].chain(), BezierChain(1, false, {{0, 0}, {1, 0}, {1, 1}}));
   EXPECT_EQ(scene.view, (View{-30.5, 7.0}));
 }
 
@@ -71,7 +71,7 @@ TEST(SceneJson, AClosedChainMayRepeatItsFirstPoint) {
   const Scene once = read(start + "[[0,0],[1,0],[1,1],[0,1]]}}]}");
   const Scene twice = read(start + "[[0,0],[1,0],[1,1],[0,1],[0,0]]}}]}");
   EXPECT_EQ(once, twice);
-  EXPECT_EQ(once.curves[0].chain.points().size(), 4U);
+  EXPECT_EQ(once.curves[0].chain().points().size(), 4U);
   EXPECT_THROW(read(start + "[[0,0],[1,0],[1,1],[0,1],[0,0.5]]}}]}"), InputError);
 }
 
@@ -126,14 +126,14 @@ TEST(SceneJson, IsWrittenForPeople) {
 
 TEST(SceneJson, RefusesToWriteWhatItCouldNotRead) {
   Scene scene = read(kSmall);
-  scene.curves[0].chain.setPoint(1, {0.0, std::nan("")});
+  scene.curves[0].chain().setPoint(1, {0.0, std::nan("")});
   try {
     sceneToJson(scene);
     FAIL() << "wrote a NaN";
   } catch (const InputError& error) {
     EXPECT_EQ(error.place(), "curves[0].bezier[1][1]");
   }
-  scene.curves[0].chain.setPoint(1, {-1.01e50, 0.0});
+  scene.curves[0].chain().setPoint(1, {-1.01e50, 0.0});
   EXPECT_THROW(sceneToJson(scene), InputError);
   scene = {{{BezierChain(Bezier{std::vector<Vec2>(66, Vec2(1, 2))})}}, {}};
   EXPECT_THROW(sceneToJson(scene), InputError);

@@ -49,7 +49,7 @@ FeatureSet checkAgainstBrute(const Scene& scene, Totals& totals) {
   for (const Mark& mark : found.marks) {
     ++totals.marks[static_cast<std::size_t>(mark.kind)];
     totals.worstResidual = std::max(totals.worstResidual, mark.residual);
-    const BezierChain& chain = scene.curves[static_cast<std::size_t>(mark.curve)].chain;
+    const BezierChain& chain = scene.curves[static_cast<std::size_t>(mark.curve)].chain();
     EXPECT_LT((pointAt(chain, mark.t) - mark.point).norm(), 1e-14);
     EXPECT_EQ(mark.lambda.has_value(),
               mark.kind != MarkKind::Silhouette && mark.kind != MarkKind::Corner);
@@ -92,7 +92,7 @@ FeatureSet checkAgainstBrute(const Scene& scene, Totals& totals) {
 // random curves are simple.
 void checkCounts(const Scene& scene, const FeatureSet& found) {
   const ViewFrame frame = frameOf(scene.view);
-  const BezierChain& chain = scene.curves[0].chain;
+  const BezierChain& chain = scene.curves[0].chain();
   std::vector<double> along, towards;
   for (const Vec2& p : chain.points()) {
     along.push_back(p.dot(frame.axis));  // exact: the axis has entries 0 and +-1
@@ -118,7 +118,7 @@ void checkCounts(const Scene& scene, const FeatureSet& found) {
 }
 
 Scene sceneOf(BezierChain chain, const View& view) {
-  return Scene{.curves = {SceneCurve{.chain = std::move(chain), .flipNormal = false}},
+  return Scene{.curves = {SceneCurve{.shape = std::move(chain), .flipNormal = false}},
                .view = view};
 }
 

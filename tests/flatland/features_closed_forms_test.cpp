@@ -17,7 +17,7 @@ namespace {
 constexpr double kPlace = 1e-10;
 
 Scene sceneOf(const Bezier& curve, double angleDeg) {
-  return Scene{.curves = {SceneCurve{.chain = BezierChain(curve), .flipNormal = false}},
+  return Scene{.curves = {SceneCurve{.shape = BezierChain(curve), .flipNormal = false}},
                .view = {.angleDeg = angleDeg, .distance = {}}};
 }
 

@@ -15,7 +15,7 @@ namespace flatland::test {
 namespace {
 
 Scene sceneOf(BezierChain chain, double angleDeg) {
-  return Scene{.curves = {SceneCurve{.chain = std::move(chain), .flipNormal = false}},
+  return Scene{.curves = {SceneCurve{.shape = std::move(chain), .flipNormal = false}},
                .view = {.angleDeg = angleDeg, .distance = {}}};
 }
 Scene sceneOf(std::vector<Vec2> points, double angleDeg) {

@@ -28,7 +28,7 @@ Scene randomScene(Random& random, int variant) {
     Bezier b;
     for (int i = 0; i < points; ++i)
       b.points.emplace_back(uniform(random, -1, 1), uniform(random, -1, 1));
-    scene.curves.push_back({.chain = BezierChain(b), .flipNormal = variant % 5 == 0});
+    scene.curves.push_back({.shape = BezierChain(b), .flipNormal = variant % 5 == 0});
   }
   scene.view.angleDeg = uniform(random, -180, 180);
   if (variant % 3 == 0) scene.view.distance = uniform(random, 3, 8);
@@ -39,8 +39,8 @@ template <class F>
 Scene mapped(const Scene& scene, const F& f) {
   Scene result = scene;
   for (SceneCurve& curve : result.curves) {
-    for (std::size_t i = 0; i < curve.chain.points().size(); ++i) {
-      curve.chain.setPoint(i, f(curve.chain.points()[i]));
+    for (std::size_t i = 0; i < curve.chain().points().size(); ++i) {
+      curve.chain().setPoint(i, f(curve.chain().points()[i]));
     }
   }
   return result;
@@ -144,12 +144,12 @@ TEST(FeaturesInvariance, Reversal) {
     const Scene scene = randomScene(random, i);
     const FeatureSet found = findFeatures(scene);
     Scene backwards = scene;
-    for (SceneCurve& curve : backwards.curves) curve.chain = reversed(curve.chain);
+    for (SceneCurve& curve : backwards.curves) curve.shape = reversed(curve.chain());
     const FeatureSet again = findFeatures(backwards);
     expectSame(found, again, same, 1.0, described(scene), 1e-9, true);
     // u runs from the other end.
     for (const Mark& mark : found.marks) {
-      const BezierChain& chain = scene.curves[static_cast<std::size_t>(mark.curve)].chain;
+      const BezierChain& chain = scene.curves[static_cast<std::size_t>(mark.curve)].chain();
       const double length = arcLength(chain, 0, chain.pieceCount(), 1e-13).value;
       const bool met = std::any_of(again.marks.begin(), again.marks.end(), [&](const Mark& other) {
         return other.kind == mark.kind && other.curve == mark.curve &&
@@ -166,7 +166,7 @@ TEST(FeaturesInvariance, Elevation) {
   for (int i = 0; i < 400; ++i) {
     const Scene scene = randomScene(random, i);
     Scene higher = scene;
-    for (SceneCurve& curve : higher.curves) curve.chain = elevated(elevated(curve.chain));
+    for (SceneCurve& curve : higher.curves) curve.shape = elevated(elevated(curve.chain()));
     expectSame(findFeatures(scene), findFeatures(higher), same, 1.0, described(scene));
   }
 }
@@ -187,12 +187,12 @@ TEST(FeaturesInvariance, SplittingAnywhereAndExactlyAtMarks) {
     for (const double t : places) {
       if (!(t > kShortestPiece && t < 1 - kShortestPiece)) continue;
       Scene split = scene;
-      split.curves[0].chain = splitAt(scene.curves[0].chain, t);
-      ASSERT_EQ(split.curves[0].chain.pieceCount(), 2);
+      split.curves[0].shape = splitAt(scene.curves[0].chain(), t);
+      ASSERT_EQ(split.curves[0].chain().pieceCount(), 2);
       expectSame(found, findFeatures(split), same, 1.0,
                  "\nsplit at " + std::to_string(t) + described(scene));
       // And once more: three pieces.
-      split.curves[0].chain = splitAt(split.curves[0].chain, 1.3);
+      split.curves[0].shape = splitAt(split.curves[0].chain(), 1.3);
       expectSame(found, findFeatures(split), same, 1.0,
                  "\nsplit twice at " + std::to_string(t) + described(scene));
     }

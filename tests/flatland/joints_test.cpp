@@ -34,7 +34,7 @@ TEST(Joints, MarkAtACurvatureJumpCarriesTheLargerSide) {
 // The same walked backwards: the larger side comes after the joint.
 TEST(Joints, AlsoWhenTheLargerSideComesSecond) {
   Scene scene = chainScene(2, {{-4, -2}, {-0.5, 0}, {0, 0}, {4, 0}, {8, -6}}, 90.0);
-  scene.curves[0].chain = reversed(scene.curves[0].chain);
+  scene.curves[0].shape = reversed(scene.curves[0].chain());
   int ridges = 0;
   for (const Mark& mark : findFeatures(scene).marks) {
     if (mark.kind != MarkKind::ApparentRidge || mark.t != 1.0) continue;

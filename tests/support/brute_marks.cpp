@@ -344,7 +344,7 @@ std::string differenceFromBrute(const Scene& scene, const FeatureSet& found, int
   const auto byKind = [](const BruteMark& a, const BruteMark& b) {
     return a.kind != b.kind ? a.kind < b.kind : a.t < b.t;
   };
-  std::vector<BruteMark> brute = bruteMarks(curve.chain, frame, side, looked);
+  std::vector<BruteMark> brute = bruteMarks(curve.chain(), frame, side, looked);
   std::sort(brute.begin(), brute.end(), byKind);
   std::sort(ours.begin(), ours.end(), byKind);
   constexpr double kSamePlace = 1e-8;
@@ -362,8 +362,8 @@ std::string differenceFromBrute(const Scene& scene, const FeatureSet& found, int
       ++j;
     }
   }
-  for (int m = 0; m < curve.chain.pieceCount(); ++m) {
-    const Bezier piece = curve.chain.piece(m);
+  for (int m = 0; m < curve.chain().pieceCount(); ++m) {
+    const Bezier piece = curve.chain().piece(m);
     PieceSearch search(piece, frame, side);
     search.run(onPiece(looked, m));
     for (const auto& [low, high] : search.sampledMaxima()) {
@@ -384,9 +384,9 @@ std::string described(const Scene& scene) {
   text << "\nview " << scene.view.angleDeg << " deg";
   if (scene.view.distance) text << " from " << *scene.view.distance;
   for (const SceneCurve& curve : scene.curves) {
-    text << "\ndegree " << curve.chain.degree() << (curve.chain.closed() ? " closed" : " open")
+    text << "\ndegree " << curve.chain().degree() << (curve.chain().closed() ? " closed" : " open")
          << (curve.flipNormal ? " flipped" : "") << ":";
-    for (const Vec2& p : curve.chain.points()) text << " (" << p.x() << ", " << p.y() << ")";
+    for (const Vec2& p : curve.chain().points()) text << " (" << p.x() << ", " << p.y() << ")";
   }
   return text.str() + "\n";
 }

@@ -60,33 +60,34 @@ class CommandsTest : public QObject {
     Fixture f;
     checkSwap(f, std::make_unique<MovePoints>(f.document, f.before, std::set<PointRef>{{0, 1}},
                                               Vec2(0.25, -0.5), JointMode::Keep));
-    const Vec2 expected = f.before.curves[0].chain.points()[1] + Vec2(0.25, -0.5);
-    QVERIFY(f.document.scene().curves[0].chain.points()[1] == expected);
-    QVERIFY(f.document.scene().curves[0].chain.points()[2] == f.before.curves[0].chain.points()[2]);
+    const Vec2 expected = f.before.curves[0].chain().points()[1] + Vec2(0.25, -0.5);
+    QVERIFY(f.document.scene().curves[0].chain().points()[1] == expected);
+    QVERIFY(f.document.scene().curves[0].chain().points()[2] ==
+            f.before.curves[0].chain().points()[2]);
   }
 
   void placesAPointExactly() {
     Fixture f;
     const Vec2 target(0.1 + 0.2, 1.0 / 3.0);
     checkSwap(f, std::make_unique<PlacePoint>(f.document, PointRef{0, 2}, target));
-    QVERIFY(f.document.scene().curves[0].chain.points()[2] == target);
+    QVERIFY(f.document.scene().curves[0].chain().points()[2] == target);
   }
 
   void insertsWithoutChangingTheShape() {
     Fixture f;
     checkSwap(f, std::make_unique<InsertPoint>(f.document, 0, 0.3));
-    const BezierChain& chain = f.document.scene().curves[0].chain;
+    const BezierChain& chain = f.document.scene().curves[0].chain();
     QCOMPARE(chain.pieceCount(), 2);
-    QVERIFY(farthestFrom(chain, f.before.curves[0].chain) < kSameShape);
-    QVERIFY(farthestFrom(f.before.curves[0].chain, chain) < kSameShape);
+    QVERIFY(farthestFrom(chain, f.before.curves[0].chain()) < kSameShape);
+    QVERIFY(farthestFrom(f.before.curves[0].chain(), chain) < kSameShape);
   }
 
   void raisesTheDegreeWithoutChangingTheShape() {
     Fixture f;
     checkSwap(f, std::make_unique<RaiseDegree>(f.document, 0));
-    const BezierChain& chain = f.document.scene().curves[0].chain;
-    QCOMPARE(chain.degree(), f.before.curves[0].chain.degree() + 1);
-    QVERIFY(farthestFrom(chain, f.before.curves[0].chain) < kSameShape);
+    const BezierChain& chain = f.document.scene().curves[0].chain();
+    QCOMPARE(chain.degree(), f.before.curves[0].chain().degree() + 1);
+    QVERIFY(farthestFrom(chain, f.before.curves[0].chain()) < kSameShape);
   }
 
   void flipsTheNormal() {
@@ -100,13 +101,13 @@ class CommandsTest : public QObject {
     PointRemoval removal = withoutPoints(f.before, {{0, 2}});
     QVERIFY(removal.possible());
     checkSwap(f, std::make_unique<RemovePoints>(f.document, std::move(removal)));
-    QCOMPARE(f.document.scene().curves[0].chain.points().size(), std::size_t{4});
+    QCOMPARE(f.document.scene().curves[0].chain().points().size(), std::size_t{4});
   }
 
   void removingAllPointsRemovesTheCurve() {
     Fixture f;
     std::set<PointRef> all;
-    for (std::size_t i = 0; i < f.before.curves[0].chain.points().size(); ++i) all.insert({0, i});
+    for (std::size_t i = 0; i < f.before.curves[0].chain().points().size(); ++i) all.insert({0, i});
     PointRemoval removal = withoutPoints(f.before, all);
     QVERIFY(removal.possible());
     QVERIFY(removal.curves.empty());
@@ -182,7 +183,7 @@ class CommandsTest : public QObject {
     f.document.push(std::make_unique<SetView>(f.document, View{45.0, std::nullopt}));
     f.document.undoStack().undo();
     f.spy.clear();
-    const auto& points = f.before.curves[0].chain.points();
+    const auto& points = f.before.curves[0].chain().points();
     f.document.push(std::make_unique<SetView>(f.document, f.before.view));
     f.document.push(std::make_unique<PlacePoint>(f.document, PointRef{0, 1}, points[1]));
     f.document.push(std::make_unique<ReplaceScene>(f.document, f.before, "reset"));

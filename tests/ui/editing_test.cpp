@@ -41,7 +41,7 @@ class EditingTest : public QObject {
     d.drag(from, to);
     QVERIFY((d.atPoint(1) - to).manhattanLength() <= 1);
     for (const std::size_t other : {0, 2, 3, 4}) {
-      QVERIFY(d.chain().points()[other] == before_.curves[0].chain.points()[other]);
+      QVERIFY(d.chain().points()[other] == before_.curves[0].chain().points()[other]);
     }
     QVERIFY2(d.document().features().marks.front().t != marks.front().t, "the marks followed");
     QCOMPARE(d.document().undoStack().count(), 1);
@@ -89,8 +89,8 @@ class EditingTest : public QObject {
     WindowDriver& d = *driver_;
     const QPoint from = d.atPoint(1);
     d.drag(from, from + QPoint(50, 12), Qt::ControlModifier);
-    QCOMPARE(d.chain().points()[1].y(), before_.curves[0].chain.points()[1].y());
-    QVERIFY(d.chain().points()[1].x() > before_.curves[0].chain.points()[1].x());
+    QCOMPARE(d.chain().points()[1].y(), before_.curves[0].chain().points()[1].y());
+    QVERIFY(d.chain().points()[1].x() > before_.curves[0].chain().points()[1].x());
   }
 
   void selectedPointsMoveTogether() {
@@ -99,7 +99,7 @@ class EditingTest : public QObject {
     d.click(d.atPoint(4), Qt::ShiftModifier);
     const QPoint from = d.atPoint(4);
     d.drag(from, from + QPoint(20, -30));
-    const auto& old = before_.curves[0].chain.points();
+    const auto& old = before_.curves[0].chain().points();
     const Vec2 delta = d.chain().points()[4] - old[4];
     QVERIFY(delta.norm() > 0.0);
     QVERIFY((d.chain().points()[0] - old[0] - delta).norm() < 1e-12);
@@ -287,7 +287,7 @@ class EditingTest : public QObject {
     QVERIFY2(d.scene() == before_, "nothing selected, nothing removed");
     d.click(d.atPoint(2));
     d.canvasKey(Qt::Key_Delete);
-    QCOMPARE(d.chain().points().size(), before_.curves[0].chain.points().size() - 1);
+    QCOMPARE(d.chain().points().size(), before_.curves[0].chain().points().size() - 1);
     d.canvasKey(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(d.scene() == before_);
   }
@@ -365,10 +365,11 @@ class EditingTest : public QObject {
     WindowDriver& d = *driver_;
     const QPoint from = d.at(pointAt(d.chain(), 0.28));
     d.drag(from, from + QPoint(0, 20));
-    const Vec2 delta = d.chain().points()[0] - before_.curves[0].chain.points()[0];
+    const Vec2 delta = d.chain().points()[0] - before_.curves[0].chain().points()[0];
     QVERIFY(delta.y() < 0.0);
     for (std::size_t i = 0; i < 5; ++i) {
-      QVERIFY((d.chain().points()[i] - before_.curves[0].chain.points()[i] - delta).norm() < 1e-12);
+      QVERIFY((d.chain().points()[i] - before_.curves[0].chain().points()[i] - delta).norm() <
+              1e-12);
     }
     QCOMPARE(d.document().undoStack().count(), 1);
   }

@@ -80,8 +80,8 @@ class PanelsTest : public QObject {
     const auto& marks = d.document().features().marks;
     std::size_t silhouette = 0;
     while (marks[silhouette].kind != MarkKind::Silhouette) ++silhouette;
-    const CanvasModels models{d.document(), d.window().selection(), d.window().viewport(),
-                              d.window().display(), d.window().stage()};
+    const CanvasModels models{d.document(),         d.window().selection(), d.window().viewport(),
+                              d.window().display(), d.window().stage(),     d.window().probe()};
     d.click(markOnScreen(models, marks[silhouette])->toPoint());
     QVERIFY(d.window().selection().mark() == keyOf(d.document().features(), silhouette));
     QCOMPARE(table.currentIndex().row(), static_cast<int>(silhouette));

@@ -48,7 +48,7 @@ class WindowDriver {
   Document& document() { return window_->document(); }
   FlatCanvas& canvas() { return window_->canvas(); }
   const Scene& scene() { return document().scene(); }
-  const BezierChain& chain(std::size_t curve = 0) { return scene().curves.at(curve).chain; }
+  const BezierChain& chain(std::size_t curve = 0) { return scene().curves.at(curve).chain(); }
   QSettings& settings() { return settings_; }
   QString path(const QString& name) const { return directory_.filePath(name); }
 

@@ -3,7 +3,6 @@
 
 #include <QCloseEvent>
 #include <QCoreApplication>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QMessageBox>
@@ -17,21 +16,16 @@
 #include "ui/app/key_sheet.h"
 #include "ui/app/menus.h"
 #include "ui/app/message_bar.h"
+#include "ui/app/panels.h"
 #include "ui/app/paths.h"
 #include "ui/app/status_line.h"
-#include "ui/panels/legend_panel.h"
-#include "ui/panels/marks_panel.h"
-#include "ui/panels/points_panel.h"
-#include "ui/panels/view_panel.h"
 
 namespace flatland::ui {
 
 namespace {
 
-constexpr int kLayoutVersion = 1;  ///< of saveState(): raise when docks come, go or change names
+constexpr int kLayoutVersion = 2;  ///< of saveState(): raise when docks come, go or change names
 constexpr QSize kDefaultSize(1280, 800);
-constexpr int kSideWidth = 280;
-constexpr int kMarksHeight = 190;
 
 QString droppedFile(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
@@ -44,15 +38,18 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
     : settings_(settings),
       document_(std::move(scene), originName),
       selection_(document_),
-      stage_(document_) {
+      stage_(document_),
+      probe_(document_),
+      docks_(std::make_unique<Docks>(*this)) {
   setObjectName("window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   status_ = new StatusLine(*statusBar(), document_);
   buildCentre();
-  buildDocks();
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  addPanels(*docks_, models(), *status_);
   files_ = new FileController(*this, document_, *messages_, settings_);
-  edits_ = new EditController({document_, selection_, viewport_, display_, stage_}, this);
+  edits_ = new EditController(models(), this);
   buildMenuBar();
   connectParts();
   resize(kDefaultSize);
@@ -71,7 +68,7 @@ MainWindow::~MainWindow() {
   disconnect(&document_.undoStack(), nullptr, this, nullptr);
   // The widgets look at the models to their end, so they go first.
   delete takeCentralWidget();
-  for (QDockWidget* dock : {viewDock_, legendDock_, pointsDock_, marksDock_}) delete dock;
+  docks_.reset();
 }
 
 void MainWindow::buildCentre() {
@@ -80,56 +77,21 @@ void MainWindow::buildCentre() {
   layout->setContentsMargins({});
   layout->setSpacing(0);
   messages_ = new MessageBar(centre);
-  canvas_ = new FlatCanvas({document_, selection_, viewport_, display_, stage_}, centre);
+  canvas_ = new FlatCanvas(models(), centre);
   layout->addWidget(messages_);
   layout->addWidget(canvas_, 1);
   setCentralWidget(centre);
 }
 
-QDockWidget* MainWindow::addDock(const char* id, const QString& title, QWidget* panel,
-                                 Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(id);
-  dock->setWidget(panel);
-  addDockWidget(area, dock);
-  return dock;
-}
-
-void MainWindow::buildDocks() {
-  const CanvasModels models{document_, selection_, viewport_, display_, stage_};
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  viewDock_ =
-      addDock("view", tr("View"), new ViewPanel(document_, stage_), Qt::RightDockWidgetArea);
-  legendDock_ = addDock("legend", tr("Legend"), new LegendPanel(document_, display_),
-                        Qt::RightDockWidgetArea);
-  auto* points = new PointsPanel(document_, selection_);
-  connect(points, &PointsPanel::refused, status_, &StatusLine::say);
-  pointsDock_ = addDock("points", tr("Points"), points, Qt::RightDockWidgetArea);
-  marksDock_ = addDock("marks", tr("Marks"), new MarksPanel(models), Qt::BottomDockWidgetArea);
-}
-
-void MainWindow::restoreDefaultLayout() {
-  for (QDockWidget* dock : {viewDock_, legendDock_, pointsDock_, marksDock_}) {
-    dock->setFloating(false);
-    removeDockWidget(dock);
-    addDockWidget(dock == marksDock_ ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea, dock);
-    dock->show();
-  }
-  const int rest = height() - viewDock_->sizeHint().height() - legendDock_->sizeHint().height();
-  resizeDocks({viewDock_, legendDock_, pointsDock_},
-              {viewDock_->sizeHint().height(), legendDock_->sizeHint().height(), rest},
-              Qt::Vertical);
-  resizeDocks({viewDock_}, {kSideWidth}, Qt::Horizontal);
-  resizeDocks({marksDock_}, {kMarksHeight}, Qt::Vertical);
-}
+void MainWindow::restoreDefaultLayout() { docks_->arrange(); }
 
 void MainWindow::buildMenuBar() {
   buildMenus({.window = *this,
-              .models = {document_, selection_, viewport_, display_, stage_},
+              .models = models(),
               .canvas = *canvas_,
               .files = *files_,
               .edits = *edits_,
-              .docks = {viewDock_, legendDock_, pointsDock_, marksDock_},
+              .docks = docks_->all(),
               .exportFigure = [this] { exportFigure(); },
               .showKeys = [this] { showKeys(); },
               .showAbout = [this] { showAbout(); },
@@ -146,7 +108,7 @@ void MainWindow::connectParts() {
   connect(&document_, &Document::changed, this, [this](const Change& change) {
     if (change.what == Change::What::File || change.what == Change::What::Scene) showTitle();
   });
-  status_->showHint(describe({document_, selection_, viewport_, display_, stage_}, {}));
+  status_->showHint(describe(models(), {}));
 }
 
 void MainWindow::showTitle() {

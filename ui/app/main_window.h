@@ -2,12 +2,13 @@
 #pragma once
 
 #include <QMainWindow>
+#include <memory>
 
+#include "ui/app/docks.h"
 #include "ui/app/edit_controller.h"
 #include "ui/app/file_controller.h"
 #include "ui/flat/canvas.h"
 
-class QDockWidget;
 class QSettings;
 
 namespace flatland::ui {
@@ -32,6 +33,7 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return viewport_; }
   Display& display() { return display_; }
   Stage& stage() { return stage_; }
+  Probe& probe() { return probe_; }
   FlatCanvas& canvas() { return *canvas_; }
   FileController& files() { return *files_; }
 
@@ -46,11 +48,9 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildCentre();
-  void buildDocks();
   void buildMenuBar();
   void connectParts();
-  QDockWidget* addDock(const char* id, const QString& title, QWidget* panel,
-                       Qt::DockWidgetArea area);
+  CanvasModels models() { return {document_, selection_, viewport_, display_, stage_, probe_}; }
   void showTitle();
   void showAbout();
 
@@ -60,16 +60,14 @@ class MainWindow : public QMainWindow {
   Viewport viewport_;
   Display display_;
   Stage stage_;
+  Probe probe_;
+  std::unique_ptr<Docks> docks_;
   MessageBar* messages_ = nullptr;
   FlatCanvas* canvas_ = nullptr;
   StatusLine* status_ = nullptr;
   FileController* files_ = nullptr;
   EditController* edits_ = nullptr;
   KeySheet* keys_ = nullptr;
-  QDockWidget* viewDock_ = nullptr;
-  QDockWidget* legendDock_ = nullptr;
-  QDockWidget* pointsDock_ = nullptr;
-  QDockWidget* marksDock_ = nullptr;
 };
 
 }  // namespace flatland::ui

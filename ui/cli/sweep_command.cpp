@@ -36,8 +36,8 @@ std::vector<double> curveLengths(const Scene& scene) {
   const double size = boundsOf(scene).diagonal();
   std::vector<double> lengths;
   for (const SceneCurve& curve : scene.curves) {
-    const double end = curve.chain.pieceCount();
-    lengths.push_back(size > 0.0 ? arcLength(curve.chain, 0.0, end, kAxisAccuracy * size).value
+    const double end = curve.chain().pieceCount();
+    lengths.push_back(size > 0.0 ? arcLength(curve.chain(), 0.0, end, kAxisAccuracy * size).value
                                  : 0.0);
   }
   return lengths;

@@ -13,7 +13,7 @@ namespace {
 std::vector<SceneCurve> withChain(std::vector<SceneCurve> curves, std::size_t index,
                                   BezierChain chain) {
   assert(index < curves.size());
-  curves[index].chain = std::move(chain);
+  curves[index].shape = std::move(chain);
   return curves;
 }
 
@@ -27,13 +27,13 @@ std::vector<SceneCurve> moved(const Scene& from, const std::set<PointRef>& point
     for (const PointRef& ref : points) {
       if (ref.curve == c) indices.insert(ref.point);
     }
-    if (!indices.empty()) curves[c].chain = movePoints(curves[c].chain, indices, delta, mode);
+    if (!indices.empty()) curves[c].shape = movePoints(curves[c].chain(), indices, delta, mode);
   }
   return curves;
 }
 
 std::vector<SceneCurve> placed(const Scene& scene, const PointRef& ref, const Vec2& target) {
-  const BezierChain& before = scene.curves[ref.curve].chain;
+  const BezierChain& before = scene.curves[ref.curve].chain();
   const Vec2 delta = target - before.points()[ref.point];
   if (delta.isZero(0.0)) return scene.curves;
   BezierChain chain = movePoints(before, {ref.point}, delta, JointMode::Keep);
@@ -86,13 +86,13 @@ PlacePoint::PlacePoint(Document& document, const PointRef& point, const Vec2& ta
 
 InsertPoint::InsertPoint(Document& document, std::size_t curve, double t)
     : CurvesCommand(document, withChain(document.scene().curves, curve,
-                                        splitAt(document.scene().curves[curve].chain, t))) {
+                                        splitAt(document.scene().curves[curve].chain(), t))) {
   setText(tr("insert point"));
 }
 
 RaiseDegree::RaiseDegree(Document& document, std::size_t curve)
     : CurvesCommand(document, withChain(document.scene().curves, curve,
-                                        elevated(document.scene().curves[curve].chain))) {
+                                        elevated(document.scene().curves[curve].chain()))) {
   setText(tr("raise degree"));
 }
 
@@ -109,15 +109,15 @@ PointRemoval withoutPoints(const Scene& scene, const std::set<PointRef>& points)
     for (const PointRef& ref : points) {
       if (ref.curve == c) indices.insert(ref.point);
     }
-    if (indices.size() == curve.chain.points().size()) continue;
+    if (indices.size() == curve.chain().points().size()) continue;
     removal.curves.push_back(curve);
     if (indices.empty()) continue;
-    RemovalResult result = removePoints(curve.chain, indices);
+    RemovalResult result = removePoints(curve.chain(), indices);
     if (!result.chain) {
       removal.reason = std::move(result.reason);
       return removal;
     }
-    removal.curves.back().chain = std::move(*result.chain);
+    removal.curves.back().shape = std::move(*result.chain);
   }
   return removal;
 }

@@ -158,8 +158,8 @@ class Builder {
     FigureGroup& to = group(Layer::ControlPolygon);
     const Stroke line{.colour = colours_.controlPolygon, .width = 1.0};
     for (const SceneCurve& curve : scene_.curves) {
-      const std::vector<Vec2>& points = curve.chain.points();
-      const std::size_t sides = curve.chain.closed() ? points.size() : points.size() - 1;
+      const std::vector<Vec2>& points = curve.chain().points();
+      const std::size_t sides = curve.chain().closed() ? points.size() : points.size() - 1;
       for (std::size_t i = 0; i < sides; ++i) {
         addLine(to, toFigure_(points[i]), toFigure_(points[(i + 1) % points.size()]), line);
       }
@@ -215,7 +215,7 @@ class Builder {
 
   void addCurvePart(int curve, double tLow, double tHigh, bool visible) {
     if (!(tLow < tHigh)) return;
-    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(curve)].chain;
+    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(curve)].chain();
     PathData path;
     Vec2 pen = Vec2::Zero();
     for (int i = 0; i < chain.pieceCount(); ++i) {
@@ -240,7 +240,7 @@ class Builder {
 
   void addCurves() {
     for (int curve = 0; curve < static_cast<int>(scene_.curves.size()); ++curve) {
-      const double end = scene_.curves[static_cast<std::size_t>(curve)].chain.pieceCount();
+      const double end = scene_.curves[static_cast<std::size_t>(curve)].chain().pieceCount();
       double hiddenFrom = 0.0;
       for (const Visibility::Interval& seen : visibility_.visibleIntervals(curve)) {
         if (showsHidden()) addCurvePart(curve, hiddenFrom, seen.tLow, false);
@@ -271,7 +271,7 @@ class Builder {
   /// What a visible part of a curve covers of the screen.
   void addImage(int curve, const Visibility::Interval& seen) {
     constexpr int kSamples = 32;
-    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(curve)].chain;
+    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(curve)].chain();
     std::optional<double> low;
     std::optional<double> high;
     for (int i = 0; i <= kSamples; ++i) {
@@ -293,7 +293,7 @@ class Builder {
 
   /// Direction across the curve at a mark, in the figure; towards the viewer where it has none.
   double acrossRad(const Mark& mark) const {
-    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(mark.curve)].chain;
+    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(mark.curve)].chain();
     const Vec2 d1 = jetAt(chain, mark.t).d1;
     if (d1.norm() == 0.0) return std::atan2(towards_.y(), towards_.x());
     return std::atan2(-d1.x(), -d1.y());  // (-d1.y, d1.x) with y turned down

@@ -148,7 +148,7 @@ std::optional<Mark> FlatCanvas::markOnCurve(const Target& target, const QPointF&
 }
 
 void FlatCanvas::insertPointAt(std::size_t curve, double t) {
-  const BezierChain& chain = models_.document.scene().curves[curve].chain;
+  const BezierChain& chain = models_.document.scene().curves[curve].chain();
   const ChainParameter at = chain.locate(t);
   if (at.t <= 0.0 || at.t >= 1.0) return;  // there is a point already
   models_.document.push(std::make_unique<InsertPoint>(models_.document, curve, t));

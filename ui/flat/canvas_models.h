@@ -3,6 +3,7 @@
 
 #include "ui/model/display.h"
 #include "ui/model/document.h"
+#include "ui/model/probe.h"
 #include "ui/model/selection.h"
 #include "ui/model/stage.h"
 #include "ui/model/viewport.h"
@@ -16,6 +17,7 @@ struct CanvasModels {
   Viewport& viewport;
   Display& display;
   Stage& stage;
+  Probe& probe;
 };
 
 }  // namespace flatland::ui

@@ -69,8 +69,8 @@ class CanvasPainter {
     painter_.setPen(QPen(toQColor(colours_.controlPolygon), 1.0));
     for (const SceneCurve& curve : models_.document.scene().curves) {
       QPolygonF polygon;
-      for (const Vec2& p : curve.chain.points()) polygon << at(p);
-      if (curve.chain.closed()) polygon << polygon.front();
+      for (const Vec2& p : curve.chain().points()) polygon << at(p);
+      if (curve.chain().closed()) polygon << polygon.front();
       painter_.drawPolyline(polygon);
     }
   }
@@ -81,7 +81,7 @@ class CanvasPainter {
     glow.setAlpha(90);
     painter_.setPen(QPen(glow, 9.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter_.setBrush(Qt::NoBrush);
-    painter_.drawPath(pathOf(models_.document.scene().curves[state_.hovered.point.curve].chain));
+    painter_.drawPath(pathOf(models_.document.scene().curves[state_.hovered.point.curve].chain()));
   }
 
   QPainterPath pathOf(const BezierChain& chain) const {
@@ -125,8 +125,8 @@ class CanvasPainter {
   void paintPoints(bool picked) {
     const auto& curves = models_.document.scene().curves;
     for (std::size_t c = 0; c < curves.size(); ++c) {
-      for (std::size_t i = 0; i < curves[c].chain.points().size(); ++i) {
-        if (isPicked({c, i}) == picked) paintPoint({c, i}, curves[c].chain);
+      for (std::size_t i = 0; i < curves[c].chain().points().size(); ++i) {
+        if (isPicked({c, i}) == picked) paintPoint({c, i}, curves[c].chain());
       }
     }
   }

@@ -19,7 +19,7 @@ std::unique_ptr<Gesture> pressPoint(const CanvasModels& models, const PointRef& 
                                     const Pointer& pressed) {
   const std::set<PointRef>& selected = models.selection.points();
   MovePointsGesture::Plan plan;
-  plan.anchor = models.document.scene().curves[point.curve].chain.points()[point.point];
+  plan.anchor = models.document.scene().curves[point.curve].chain().points()[point.point];
   const bool adding = pressed.modifiers.testFlag(Qt::ShiftModifier);
   plan.moving = adding || selected.contains(point) ? selected : std::set<PointRef>();
   plan.moving.insert(point);
@@ -32,7 +32,7 @@ std::unique_ptr<Gesture> pressPoint(const CanvasModels& models, const PointRef& 
 std::unique_ptr<Gesture> pressCurve(const CanvasModels& models, const Target& target,
                                     const Pointer& pressed) {
   models.selection.setCurrentCurve(target.point.curve);
-  const BezierChain& chain = models.document.scene().curves[target.point.curve].chain;
+  const BezierChain& chain = models.document.scene().curves[target.point.curve].chain();
   MovePointsGesture::Plan plan;
   for (std::size_t i = 0; i < chain.points().size(); ++i) {
     plan.moving.insert({target.point.curve, i});
@@ -70,7 +70,7 @@ QString describe(const CanvasModels& models, const Target& target) {
                        "Drag to move the viewer; Shift steps by 15°, Ctrl keeps the distance.")
                  : Gesture::tr("Drag to turn the view; Shift steps by 15°.");
     case Target::What::Point: {
-      const BezierChain& chain = models.document.scene().curves[target.point.curve].chain;
+      const BezierChain& chain = models.document.scene().curves[target.point.curve].chain();
       const QString at = coordinates(models.viewport, chain.points()[target.point.point]);
       return Gesture::tr("Point %1 at (%2): drag to move it, Delete removes it.")
           .arg(target.point.point)

@@ -28,8 +28,8 @@ std::vector<Vec2> samplesOf(const Scene& scene) {
   constexpr int kPerPiece = 48;
   std::vector<Vec2> samples;
   for (const SceneCurve& curve : scene.curves) {
-    for (int i = 0; i < curve.chain.pieceCount(); ++i) {
-      const Bezier piece = curve.chain.piece(i);
+    for (int i = 0; i < curve.chain().pieceCount(); ++i) {
+      const Bezier piece = curve.chain().piece(i);
       for (int k = 0; k <= kPerPiece; ++k) {
         samples.push_back(pointAt(piece, static_cast<double>(k) / kPerPiece));
       }
@@ -123,7 +123,7 @@ Bounds Stage::fitBox() const {
   const Vec2 extent = Vec2::Constant(ringRadius());
   Bounds box{centre_ - extent, centre_ + extent};
   for (const SceneCurve& curve : document_.scene().curves) {
-    for (const Vec2& p : curve.chain.points()) {
+    for (const Vec2& p : curve.chain().points()) {
       box.low = box.low.cwiseMin(p);
       box.high = box.high.cwiseMax(p);
     }
@@ -143,7 +143,7 @@ SceneCurve Stage::newCurve(const Vec2& centre) const {
     const Vec2 place = centre + 0.7 * radius_ * p;
     points.emplace_back(roundedLike(place.x(), radius_, 3), roundedLike(place.y(), radius_, 3));
   }
-  return {.chain = BezierChain(Bezier{std::move(points)})};
+  return {.shape = BezierChain(Bezier{std::move(points)})};
 }
 
 void Stage::renew() {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QMainWindow>
+
+class QDockWidget;
+
+namespace flatland::ui {
+
+/// The panels of the window in their docks: where each belongs, and how they are arranged.
+class Docks {
+ public:
+  /// Where a panel has its place. Panels of one group are tabs on each other, in order of adding,
+  /// but those of Top stand one below the other.
+  enum class Group {
+    Top,     ///< right, small, always seen
+    Side,    ///< right
+    Plots,   ///< right, below
+    Bottom,  ///< below the canvas
+  };
+
+  explicit Docks(QMainWindow& window) : window_(window) {}
+  Docks(const Docks&) = delete;
+  Docks& operator=(const Docks&) = delete;
+
+  /// The docks with their panels go before the models that the panels look at.
+  ~Docks();
+
+  /// Puts the panel, whose owner the dock becomes, into a dock named `id`. It names the dock in
+  /// saved layouts and in the View menu.
+  void add(const char* id, const QString& title, QWidget* panel, Group group);
+
+  const QList<QDockWidget*>& all() const { return all_; }
+
+  /// Every panel open and in its place, the first of each group in front.
+  void arrange();
+
+  /// Opens the panel and brings it to the front.
+  void show(const char* id);
+
+ private:
+  QList<QDockWidget*> inGroup(Group group) const;
+
+  QMainWindow& window_;
+  QList<QDockWidget*> all_;
+  QList<Group> groups_;  ///< of all_
+};
+
+}  // namespace flatland::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "flatland/features/terms.h"
+#include "ui/model/document.h"
+
+namespace flatland::ui {
+
+/// The one place on a curve that canvas, plots, lesson and numbers all look at. Follows the curve
+/// when points move; leaves when its curve does.
+class Probe : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Place {
+    std::size_t curve;
+    double t;  ///< chain parameter, in [0, pieceCount]
+
+    bool operator==(const Place&) const = default;
+  };
+
+  /// What is known there. No value where the curve has no tangent (a cusp).
+  struct Reading {
+    Jet jet;
+    Frame frame;  ///< with the side of normalSide()
+    int side;
+    Terms terms;
+  };
+
+  explicit Probe(const Document& document, QObject* parent = nullptr);
+
+  const std::optional<Place>& place() const { return place_; }
+
+  /// t is clamped to the curve's domain; a curve that does not exist clears the probe.
+  void setPlace(std::optional<Place> place);
+
+  /// Moves by `share` of the curve's parameter domain; around on a closed curve, to the end on an
+  /// open one. Starts in the middle of the first curve if there was no place.
+  void moveBy(double share);
+
+  /// Computed anew at each call; cheap.
+  std::optional<Reading> reading() const;
+
+ signals:
+  /// The place, or what is read there, is another.
+  void changed();
+
+ private:
+  void follow(const Change& change);
+  std::optional<Place> valid(std::optional<Place> place) const;
+
+  const Document& document_;
+  std::optional<Place> place_;
+};
+
+}  // namespace flatland::ui
