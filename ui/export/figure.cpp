@@ -45,6 +45,26 @@ void PathData::addCircle(const Vec2& centre, double radius) {
   close();
 }
 
+Figure magnified(Figure figure, double factor) {
+  figure.width *= factor;
+  figure.height *= factor;
+  for (FigureGroup& group : figure.groups) {
+    for (Shape& shape : group.shapes) {
+      if (auto* text = std::get_if<TextShape>(&shape)) {
+        text->position *= factor;
+        text->size *= factor;
+        continue;
+      }
+      auto& drawn = std::get<PathShape>(shape);
+      for (Vec2& point : drawn.path.points) point *= factor;
+      if (!drawn.stroke) continue;
+      drawn.stroke->width *= factor;
+      for (double& length : drawn.stroke->dash) length *= factor;
+    }
+  }
+  return figure;
+}
+
 double estimatedWidth(const std::string& text, double size) {
   // In thousandths of the font size, by classes of letters: a little above Helvetica's widths,
   // since what stands in for it is often wider.

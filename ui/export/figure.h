@@ -76,6 +76,9 @@ struct Figure {
   std::vector<FigureGroup> groups;   ///< first is drawn first
 };
 
+/// The figure `factor` times as large in every respect, text and line widths included.
+Figure magnified(Figure figure, double factor);
+
 /// What a file says about itself, so that it can be made again.
 struct FigureSource {
   std::string title;

@@ -464,7 +464,10 @@ class Builder {
 
 Figure flatFigure(const Scene& scene, const FeatureSet& features, const Visibility& visibility,
                   const FlatFigureOptions& options) {
-  return Builder(scene, features, visibility, options).build();
+  if (options.scale == 1.0) return Builder(scene, features, visibility, options).build();
+  // Small, then magnified: so everything grows alike.
+  const FlatFigureOptions small = atUnitScale(options);
+  return magnified(Builder(scene, features, visibility, small).build(), options.scale);
 }
 
 }  // namespace flatland::ui

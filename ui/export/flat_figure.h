@@ -24,6 +24,7 @@ struct FigureTransform {
 struct FlatFigureOptions {
   double width = 640.0, height = 480.0;  ///< px, both > 0
   double margin = 12.0;                  ///< px, kept free at every side when fitting
+  double scale = 1.0;  ///< how much larger than usual symbols, letters and lines are; > 0
 
   /// Given: the scene is drawn so, and what lies outside the figure is cut. Empty: it is fitted,
   /// with its screen and letters.

@@ -56,6 +56,19 @@ Span spanAt(const std::vector<Padded>& items, double scale) {
 
 }  // namespace
 
+FlatFigureOptions atUnitScale(FlatFigureOptions options) {
+  const double scale = options.scale;
+  options.scale = 1.0;
+  options.width /= scale;
+  options.height /= scale;
+  options.margin /= scale;
+  if (options.transform) {
+    options.transform->scale /= scale;
+    options.transform->origin /= scale;
+  }
+  return options;
+}
+
 std::vector<Vec2> sampledPoints(const SceneCurve& curve) {
   constexpr int kPerPiece = 32;
   std::vector<Vec2> points;
@@ -150,6 +163,10 @@ bool showsViewer(const Scene& scene, const ScreenLine& screen) {
 }
 
 FigureTransform fittedTransform(const Scene& scene, const FlatFigureOptions& options) {
+  if (options.scale != 1.0) {
+    const FigureTransform small = fittedTransform(scene, atUnitScale(options));
+    return {small.scale * options.scale, small.origin * options.scale};
+  }
   const ViewFrame frame = frameOf(scene.view);
   const ScreenLine screen = screenLine(scene, options.controlPolygon, options.screenOffset);
 

@@ -11,6 +11,9 @@ namespace flatland::ui {
 /// Room for the letters beyond the screen, px.
 inline constexpr double kLetterColumnPx = 22.0;
 
+/// The options of the figure that becomes the one asked for when it is magnified by their scale.
+FlatFigureOptions atUnitScale(FlatFigureOptions options);
+
 /// Points of a curve, in order, and of all curves, close enough together for bounds and for keeping
 /// letters off the curve.
 std::vector<Vec2> sampledPoints(const SceneCurve& curve);

@@ -37,6 +37,7 @@ FlatCanvas::FlatCanvas(const CanvasModels& models, QWidget* parent)
   connect(&models_.selection, &Selection::changed, this, repaint);
   connect(&models_.viewport, &Viewport::changed, this, repaint);
   connect(&models_.display, &Display::changed, this, repaint);
+  connect(&models_.display, &Display::changed, this, &FlatCanvas::resizeDrawing);
   connect(&models_.stage, &Stage::changed, this, repaint);
   fit();
 }
@@ -73,7 +74,12 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
   if (gesture_) gesture_->paint(painter);
 }
 
-void FlatCanvas::resizeEvent(QResizeEvent*) { models_.viewport.setSize(size()); }
+void FlatCanvas::resizeEvent(QResizeEvent*) { resizeDrawing(); }
+
+void FlatCanvas::resizeDrawing() {
+  const double margin = Viewport::kMarginPx * drawnScale(models_.display, size());
+  models_.viewport.setSize(size(), margin);
+}
 
 void FlatCanvas::begin(std::unique_ptr<Gesture> gesture) {
   gesture_ = std::move(gesture);
@@ -140,10 +146,11 @@ void FlatCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 std::optional<Mark> FlatCanvas::markOnCurve(const Target& target, const QPointF& at) const {
   if (target.what != Target::What::Mark) return std::nullopt;
-  constexpr double kReachPx = 12.0;  // its image on the screen is another matter
+  // Its image on the screen is another matter.
+  const double reach = 12.0 * drawnScale(models_.display, size());
   const Mark& mark = models_.document.features().marks[target.mark];
   const QPointF away = models_.viewport.toWidget(mark.point) - at;
-  if (std::hypot(away.x(), away.y()) > kReachPx) return std::nullopt;
+  if (std::hypot(away.x(), away.y()) > reach) return std::nullopt;
   return mark;
 }
 

@@ -51,6 +51,7 @@ class FlatCanvas : public QWidget {
 
  private:
   void documentChanged(const Change& change);
+  void resizeDrawing();  ///< for another size or scale
   void begin(std::unique_ptr<Gesture> gesture);
   void cancelGesture();
   void hover(const QPointF& position);

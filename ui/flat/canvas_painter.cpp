@@ -9,6 +9,7 @@
 
 #include "ui/export/figure_qt.h"
 #include "ui/export/flat_figure.h"
+#include "ui/model/theme.h"
 
 namespace flatland::ui {
 
@@ -17,12 +18,6 @@ namespace {
 constexpr double kPointSizePx = 9.0;
 constexpr double kHaloPx = 8.0;  ///< radius of the ring around a hovered or selected mark
 
-/// The colours of the person's theme, in the palette the figure has for it.
-Palette figurePalette() {
-  const bool dark = QGuiApplication::palette().color(QPalette::Base).lightness() < 128;
-  return dark ? Palette::Dark : Palette::Light;
-}
-
 class CanvasPainter {
  public:
   CanvasPainter(QPainter& painter, const CanvasModels& models, const QSize& canvas,
@@ -30,14 +25,19 @@ class CanvasPainter {
       : painter_(painter),
         models_(models),
         canvas_(canvas),
+        scale_(drawnScale(models.display, canvas)),
+        size_(QSizeF(canvas) / scale_),
         state_(state),
-        palette_(figurePalette()),
+        palette_(themePalette()),
         colours_(sceneColours(palette_)),
         highlight_(QGuiApplication::palette().color(QPalette::Highlight)) {}
 
   void paint() {
     painter_.setRenderHint(QPainter::Antialiasing);
     painter_.fillRect(QRect(QPoint(), canvas_), toQColor(colours_.background));
+    // All below is in pixels of the usual size.
+    painter_.save();
+    painter_.scale(scale_, scale_);
     paintRing();
     if (models_.display.showsControlPolygon()) paintControlPolygons();
     paintHoveredCurve();
@@ -47,17 +47,19 @@ class CanvasPainter {
     paintHoveredMark();
     paintPoints(true);
     paintHandle();
+    painter_.restore();
     if (models_.document.scene().curves.empty()) paintInvitation();
     if (state_.focused) paintFocus();
   }
 
  private:
-  QPointF at(const Vec2& world) const { return models_.viewport.toWidget(world); }
+  QPointF at(const Vec2& world) const { return models_.viewport.toWidget(world) / scale_; }
+  double pixelsPerLength() const { return models_.viewport.scale() / scale_; }
 
   void paintRing() {
     const bool active = state_.hovered.what == Target::What::ViewHandle;
     const double radius =
-        (models_.stage.handle() - models_.stage.pivot()).norm() * models_.viewport.scale();
+        (models_.stage.handle() - models_.stage.pivot()).norm() * pixelsPerLength();
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(
         QPen(active ? highlight_ : toQColor(colours_.faint), active ? 1.5 : 1.0, Qt::DotLine));
@@ -87,7 +89,7 @@ class CanvasPainter {
   QPainterPath pathOf(const BezierChain& chain) const {
     QPainterPath path;
     for (int i = 0; i < chain.pieceCount(); ++i) {
-      for (const Bezier& cubic : toCubics(chain.piece(i), 0.25 / models_.viewport.scale())) {
+      for (const Bezier& cubic : toCubics(chain.piece(i), 0.25 / pixelsPerLength())) {
         if (path.isEmpty()) path.moveTo(at(cubic.points.front()));
         const Bezier full = asCubic(cubic);
         path.cubicTo(at(full.points[1]), at(full.points[2]), at(full.points[3]));
@@ -103,10 +105,10 @@ class CanvasPainter {
 
   void paintFigure() {
     FlatFigureOptions options;
-    options.width = canvas_.width();
-    options.height = canvas_.height();
+    options.width = size_.width();
+    options.height = size_.height();
     const QPointF origin = at(Vec2::Zero());
-    options.transform = FigureTransform{models_.viewport.scale(), Vec2(origin.x(), origin.y())};
+    options.transform = FigureTransform{pixelsPerLength(), Vec2(origin.x(), origin.y())};
     options.screenOffset = models_.stage.screenOffset();
     options.kinds = models_.display.families();
     options.palette = palette_;
@@ -178,10 +180,11 @@ class CanvasPainter {
     painter_.setBrush(Qt::NoBrush);
     const QPointF onCurve = at(mark.point);
     painter_.drawEllipse(onCurve, kHaloPx, kHaloPx);
-    const auto onScreen = markOnScreen(models_, mark);
-    if (!onScreen) return;
-    painter_.drawEllipse(*onScreen, kHaloPx, kHaloPx);
-    QLineF between(onCurve, *onScreen);
+    const auto place = markOnScreen(models_, mark);
+    if (!place) return;
+    const QPointF onScreen = *place / scale_;
+    painter_.drawEllipse(onScreen, kHaloPx, kHaloPx);
+    QLineF between(onCurve, onScreen);
     if (!line || between.length() <= 2.0 * kHaloPx) return;
     between.setLength(between.length() - kHaloPx);
     between.setP1(between.pointAt(kHaloPx / between.length()));
@@ -191,7 +194,8 @@ class CanvasPainter {
 
   /// An eye that looks at the scene.
   void paintHandle() {
-    const HandlePlace place = handlePlace(models_, canvas_);
+    HandlePlace place = handlePlace(models_, canvas_);
+    place.at /= scale_;
     const bool hovered = state_.hovered.what == Target::What::ViewHandle;
     painter_.save();
     painter_.translate(place.at);
@@ -247,6 +251,8 @@ class CanvasPainter {
   QPainter& painter_;
   const CanvasModels& models_;
   QSize canvas_;
+  double scale_;  ///< of everything drawn
+  QSizeF size_;   ///< of the canvas, in pixels of the usual size
   const CanvasState& state_;
   Palette palette_;
   const SceneColours& colours_;

@@ -4,6 +4,7 @@
 #include <QLineF>
 #include <QRectF>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/export/flat_figure.h"
 
@@ -21,9 +22,10 @@ constexpr double kCurveReach = 6.0;
 /// Distance of the edge handle from the edge of the canvas.
 constexpr double kEdgeInset = 26.0;
 
-std::optional<PointRef> nearestPointAt(const CanvasModels& models, const QPointF& position) {
+std::optional<PointRef> nearestPointAt(const CanvasModels& models, const QPointF& position,
+                                       double reach) {
   std::optional<PointRef> best;
-  double bestDistance = kPointReach;
+  double bestDistance = reach;
   const auto& curves = models.document.scene().curves;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const auto& points = curves[c].chain().points();
@@ -40,9 +42,10 @@ std::optional<PointRef> nearestPointAt(const CanvasModels& models, const QPointF
   return best;
 }
 
-std::optional<std::size_t> nearestMarkAt(const CanvasModels& models, const QPointF& position) {
+std::optional<std::size_t> nearestMarkAt(const CanvasModels& models, const QPointF& position,
+                                         double reach) {
   std::optional<std::size_t> best;
-  double bestDistance = kMarkReach;
+  double bestDistance = reach;
   const auto& marks = models.document.features().marks;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (!models.display.shows(marks[i].kind)) continue;
@@ -61,10 +64,17 @@ std::optional<std::size_t> nearestMarkAt(const CanvasModels& models, const QPoin
 
 }  // namespace
 
+double drawnScale(const Display& display, const QSizeF& canvas) {
+  constexpr double kUsualPx = 560.0;  // the shorter side in a window of the usual size
+  constexpr double kMost = 2.0;
+  const double shorter = std::min(canvas.width(), canvas.height());
+  return display.uiScale() * std::clamp(std::sqrt(shorter / kUsualPx), 1.0, kMost);
+}
+
 HandlePlace handlePlace(const CanvasModels& models, const QSizeF& canvas) {
   const QPointF wanted = models.viewport.toWidget(models.stage.handle());
-  const QRectF room =
-      QRectF(QPointF(), canvas).adjusted(kEdgeInset, kEdgeInset, -kEdgeInset, -kEdgeInset);
+  const double inset = kEdgeInset * drawnScale(models.display, canvas);
+  const QRectF room = QRectF(QPointF(), canvas).adjusted(inset, inset, -inset, -inset);
   if (room.contains(wanted)) return {wanted, false};
   const QPointF nearest(std::clamp(wanted.x(), room.left(), std::max(room.left(), room.right())),
                         std::clamp(wanted.y(), room.top(), std::max(room.top(), room.bottom())));
@@ -80,19 +90,20 @@ std::optional<QPointF> markOnScreen(const CanvasModels& models, const Mark& mark
 }
 
 Target targetAt(const CanvasModels& models, const QSizeF& canvas, const QPointF& position) {
-  if (const auto point = nearestPointAt(models, position)) {
+  const double scale = drawnScale(models.display, canvas);
+  if (const auto point = nearestPointAt(models, position, scale * kPointReach)) {
     return {.what = Target::What::Point, .point = *point};
   }
-  if (QLineF(handlePlace(models, canvas).at, position).length() <= kHandleReach) {
+  if (QLineF(handlePlace(models, canvas).at, position).length() <= scale * kHandleReach) {
     return {.what = Target::What::ViewHandle};
   }
-  if (const auto mark = nearestMarkAt(models, position)) {
+  if (const auto mark = nearestMarkAt(models, position, scale * kMarkReach)) {
     return {.what = Target::What::Mark, .mark = *mark};
   }
   const Vec2 world = models.viewport.toWorld(position);
   const auto& curves = models.document.scene().curves;
   Target target;
-  double bestDistance = kCurveReach / models.viewport.scale();
+  double bestDistance = scale * kCurveReach / models.viewport.scale();
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const Nearest nearest = nearestPoint(curves[c].chain(), world);
     if (nearest.distance > bestDistance) continue;

@@ -19,6 +19,11 @@ struct Target {
   bool operator==(const Target&) const = default;
 };
 
+/// How much larger than usual marks, points and lines are drawn, and how much farther the pointer
+/// reaches: by the scale the person chose, and on a canvas larger than usual by the root of how
+/// much larger it is.
+double drawnScale(const Display& display, const QSizeF& canvas);
+
 /// Where the view handle is drawn, in pixels: at Stage::handle(), or at the edge of the canvas on
 /// the way there if that is outside.
 struct HandlePlace {

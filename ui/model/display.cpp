@@ -2,6 +2,8 @@
 #include "ui/model/display.h"
 
 #include <QSettings>
+#include <algorithm>
+#include <cmath>
 
 namespace flatland::ui {
 
@@ -32,12 +34,31 @@ void Display::set(bool& value, bool shown) {
   emit changed();
 }
 
+void Display::setUiScale(double scale) {
+  if (!std::isfinite(scale)) return;
+  double& mine = projector_ ? projectorScale_ : workScale_;
+  const double clamped = std::clamp(scale, 1.0, kLargestScale);
+  if (mine == clamped) return;
+  mine = clamped;
+  emit changed();
+}
+
+void Display::setProjector(bool on) { set(projector_, on); }
+
 void Display::restore(const QSettings& settings) {
   for (const MarkKind kind : markKindsInLegendOrder()) {
     setShows(kind, settings.value(familyKey(kind), shows(kind)).toBool());
   }
   setShowsControlPolygon(settings.value("display/control-polygon", controlPolygon_).toBool());
   setShowsHidden(settings.value("display/hidden", hidden_).toBool());
+  const auto scale = [&settings](const char* key, double usual) {
+    bool isNumber = false;
+    const double saved = settings.value(key, usual).toDouble(&isNumber);
+    return isNumber && std::isfinite(saved) ? std::clamp(saved, 1.0, kLargestScale) : usual;
+  };
+  workScale_ = scale("display/scale", workScale_);
+  projectorScale_ = scale("display/projector-scale", projectorScale_);
+  emit changed();
 }
 
 void Display::save(QSettings& settings) const {
@@ -45,6 +66,8 @@ void Display::save(QSettings& settings) const {
     settings.setValue(familyKey(kind), shows(kind));
   settings.setValue("display/control-polygon", controlPolygon_);
   settings.setValue("display/hidden", hidden_);
+  settings.setValue("display/scale", workScale_);
+  settings.setValue("display/projector-scale", projectorScale_);
 }
 
 }  // namespace flatland::ui

@@ -29,6 +29,19 @@ class Display : public QObject {
   bool showsHidden() const { return hidden_; }
   void setShowsHidden(bool shown);
 
+  /// How much larger than usual everything is drawn, text, marks and lines alike, on canvas,
+  /// plots and lesson: between 1 and kLargestScale. Projector mode has a scale of its own.
+  double uiScale() const { return projector_ ? projectorScale_ : workScale_; }
+  /// Sets the scale of the mode there is now; clamped.
+  void setUiScale(double scale);
+
+  /// Few widgets, large type: for a room that looks on.
+  bool isProjector() const { return projector_; }
+  void setProjector(bool on);
+
+  static constexpr double kLargestScale = 2.5;
+  static constexpr double kProjectorScale = 1.6;  ///< until the person chooses another
+
   void restore(const QSettings& settings);
   void save(QSettings& settings) const;
 
@@ -41,6 +54,9 @@ class Display : public QObject {
   MarkKinds families_ = defaultMarkKinds();
   bool controlPolygon_ = true;
   bool hidden_ = true;
+  bool projector_ = false;
+  double workScale_ = 1.0;
+  double projectorScale_ = kProjectorScale;
 };
 
 }  // namespace flatland::ui

@@ -23,9 +23,10 @@ QTransform Viewport::worldToWidget() const {
   return {scale_, 0.0, 0.0, -scale_, origin.x(), origin.y()};
 }
 
-void Viewport::setSize(const QSizeF& size) {
-  if (size == size_ || size.isEmpty()) return;
+void Viewport::setSize(const QSizeF& size, double margin) {
+  if ((size == size_ && margin == margin_) || size.isEmpty()) return;
   size_ = size;
+  margin_ = margin;
   if (fitted_) {
     fit(fitBox_);
   } else {
@@ -37,8 +38,8 @@ void Viewport::fit(const Bounds& box) {
   fitBox_ = box;
   fitted_ = true;
   const Vec2 extent = box.high - box.low;
-  const double width = std::max(size_.width() - 2 * kMarginPx, 1.0);
-  const double height = std::max(size_.height() - 2 * kMarginPx, 1.0);
+  const double width = std::max(size_.width() - 2 * margin_, 1.0);
+  const double height = std::max(size_.height() - 2 * margin_, 1.0);
   const double across = extent.x() > 0.0 ? width / extent.x() : 0.0;
   const double up = extent.y() > 0.0 ? height / extent.y() : 0.0;
   if (across > 0.0 && up > 0.0) {

@@ -24,10 +24,11 @@ class Viewport : public QObject {
   Vec2 toWorld(const QPointF& widget) const;
   QTransform worldToWidget() const;
 
-  /// The size of the canvas in pixels. A view that was fitted and not moved since is fitted again.
-  void setSize(const QSizeF& size);
+  /// The size of the canvas in pixels, and how much of it fit() keeps free at every side. A view
+  /// that was fitted and not moved since is fitted again.
+  void setSize(const QSizeF& size, double margin = kMarginPx);
 
-  /// Shows the box as large as it goes with `kMarginPx` around it. A box without extent is shown at
+  /// Shows the box as large as it goes with the margin around it. A box without extent is shown at
   /// unit scale.
   void fit(const Bounds& box);
 
@@ -50,6 +51,7 @@ class Viewport : public QObject {
   void set(const Vec2& centre, double scale);
 
   QSizeF size_{640.0, 480.0};
+  double margin_ = kMarginPx;
   Vec2 centre_ = Vec2::Zero();
   double scale_ = 100.0;
   Bounds fitBox_{Vec2::Zero(), Vec2::Zero()};

@@ -3,12 +3,12 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
-#include <QGuiApplication>
 #include <QLabel>
 #include <QPalette>
 
 #include "ui/export/figure_qt.h"
 #include "ui/model/mark_words.h"
+#include "ui/model/theme.h"
 #include "ui/panels/mark_icon.h"
 
 namespace flatland::ui {
@@ -21,8 +21,7 @@ QString idOf(MarkKind kind) {
 }
 
 QLabel* letterLabel(MarkKind kind) {
-  const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
-  const MarkStyle& style = styleOf(kind, dark ? Palette::Dark : Palette::Light);
+  const MarkStyle& style = styleOf(kind, themePalette());
   auto* label = new QLabel(QString(QLatin1Char(style.letter)));
   QPalette palette = label->palette();
   palette.setColor(QPalette::WindowText, toQColor(style.letterColour));

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/mark_icon.h"
 
-#include <QGuiApplication>
 #include <QPainter>
-#include <QPalette>
 #include <QPixmap>
 
 #include "ui/export/figure_qt.h"
 #include "ui/export/mark_style.h"
+#include "ui/model/theme.h"
 
 namespace flatland::ui {
 
@@ -19,8 +18,7 @@ constexpr double kOversampling = 3.0;  ///< stays sharp on dense displays
 }  // namespace
 
 QIcon markIcon(MarkKind kind) {
-  const bool dark = QGuiApplication::palette().color(QPalette::Base).lightness() < 128;
-  const MarkStyle& style = styleOf(kind, dark ? Palette::Dark : Palette::Light);
+  const MarkStyle& style = styleOf(kind, themePalette());
   QPixmap pixmap(QSize(kIconPx, kIconPx) * kOversampling);
   pixmap.setDevicePixelRatio(kOversampling);
   pixmap.fill(Qt::transparent);
