@@ -11,6 +11,7 @@
 #include "flatland/io/input_error.h"
 #include "ui/app/message_bar.h"
 #include "ui/app/paths.h"
+#include "ui/model/core_words.h"
 
 namespace flatland::ui {
 
@@ -19,23 +20,19 @@ namespace {
 constexpr char kRecentKey[] = "files/recent";
 constexpr char kSuffix[] = ".json";
 
-QString filter() {
-  return QCoreApplication::translate("FileController", "Flatland scenes (*.json);;All files (*)");
-}
+QString filter() { return FileController::tr("Flatland scenes (*.json);;All files (*)"); }
 
 }  // namespace
 
 QString shownName(const Document& document) {
   if (document.file().empty()) {
-    return document.originName().isEmpty()
-               ? QCoreApplication::translate("FileController", "Untitled")
-               : document.originName();
+    return document.originName().isEmpty() ? FileController::tr("Untitled") : document.originName();
   }
   return toQString(document.file().filename());
 }
 
 QString presetName(const Preset& preset) {
-  return QCoreApplication::translate("Presets", preset.name.c_str());
+  return coreWords(preset.name);
 }
 
 FileController::FileController(QWidget& window, Document& document, MessageBar& messages,

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
 
 #include "ui/app/menus.h"
+#include "ui/model/core_words.h"
 
 namespace flatland::ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("FileMenu", text); }
+struct FileMenuWords {
+  Q_DECLARE_TR_FUNCTIONS(FileMenu)
+};
 
 /// Filled anew each time it opens, so that files that went away or came back show as they are.
 void fillRecent(QMenu& menu, FileController& files) {
@@ -22,7 +26,7 @@ void fillRecent(QMenu& menu, FileController& files) {
     QString label = QFileInfo(name).fileName();
     label.replace('&', "&&");
     const bool exists = QFileInfo::exists(name);
-    if (!exists) label = tr("%1 (gone)").arg(label);
+    if (!exists) label = FileMenuWords::tr("%1 (gone)").arg(label);
     QAction* action = addAction(menu,
                                 {"file.recent", QStringLiteral("&%1  %2").arg(i + 1).arg(label),
                                  QDir::toNativeSeparators(name)},
@@ -30,10 +34,13 @@ void fillRecent(QMenu& menu, FileController& files) {
     action->setEnabled(exists);
   }
   if (names.isEmpty()) {
-    addAction(menu, {"file.recent.none", tr("No recent files"), {}}, [] {})->setEnabled(false);
+    addAction(menu, {"file.recent.none", FileMenuWords::tr("No recent files"), {}}, [] {
+    })->setEnabled(false);
   } else {
     menu.addSeparator();
-    addAction(menu, {"file.recent.clear", tr("&Clear List"), tr("Forget all recent files")},
+    addAction(menu,
+              {"file.recent.clear", FileMenuWords::tr("&Clear List"),
+               FileMenuWords::tr("Forget all recent files")},
               [&files] { files.clearRecentFiles(); });
   }
 }
@@ -42,7 +49,7 @@ void fillPresets(QMenu& menu, FileController& files) {
   for (const Preset& preset : presets()) {
     addAction(menu,
               {"file.preset", presetName(preset),
-               QCoreApplication::translate("Presets", preset.description.c_str())},
+               coreWords(preset.description)},
               [&files, &preset] { files.startPreset(preset); })
         ->setObjectName("file.preset." + QString::fromStdString(preset.id));
   }
@@ -60,36 +67,49 @@ QMenu& addSubmenu(QMenu& menu, const char* id, const QString& title) {
 void buildFileMenu(QMenu& menu, const MenuParts& parts) {
   FileController& files = parts.files;
   addAction(menu,
-            {"file.new", tr("&New"), tr("Start over with the first preset"), {QKeySequence::New}},
+            {"file.new",
+             FileMenuWords::tr("&New"),
+             FileMenuWords::tr("Start over with the first preset"),
+             {QKeySequence::New}},
             [&files] { files.startNew(); });
-  addAction(menu, {"file.open", tr("&Open…"), tr("Open a scene file"), {QKeySequence::Open}},
+  addAction(menu,
+            {"file.open",
+             FileMenuWords::tr("&Open…"),
+             FileMenuWords::tr("Open a scene file"),
+             {QKeySequence::Open}},
             [&files] { files.open(); });
-  QMenu& recent = addSubmenu(menu, "menu.file.recent", tr("Open &Recent"));
+  QMenu& recent = addSubmenu(menu, "menu.file.recent", FileMenuWords::tr("Open &Recent"));
   QObject::connect(&recent, &QMenu::aboutToShow, &recent,
                    [&recent, &files] { fillRecent(recent, files); });
   fillRecent(recent, files);
-  fillPresets(addSubmenu(menu, "menu.file.presets", tr("&Presets")), files);
+  fillPresets(addSubmenu(menu, "menu.file.presets", FileMenuWords::tr("&Presets")), files);
   menu.addSeparator();
-  addAction(menu, {"file.save", tr("&Save"), tr("Save the scene"), {QKeySequence::Save}},
+  addAction(menu,
+            {"file.save",
+             FileMenuWords::tr("&Save"),
+             FileMenuWords::tr("Save the scene"),
+             {QKeySequence::Save}},
             [&files] { files.save(); });
   addAction(menu,
             {"file.save-as",
-             tr("Save &As…"),
-             tr("Save the scene under another name"),
+             FileMenuWords::tr("Save &As…"),
+             FileMenuWords::tr("Save the scene under another name"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}},
             [&files] { files.saveAs(); });
   addAction(menu,
             {"file.export",
-             tr("&Export…"),
-             tr("Write the picture as SVG, PDF, PNG or TikZ"),
+             FileMenuWords::tr("&Export…"),
+             FileMenuWords::tr("Write the picture as SVG, PDF, PNG or TikZ"),
              {QKeySequence(Qt::CTRL | Qt::Key_E)}},
             parts.exportFigure);
   menu.addSeparator();
   QMainWindow& window = parts.window;
-  addAction(
-      menu,
-      {"file.quit", tr("&Quit"), tr("Close the window"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}},
-      [&window] { window.close(); });
+  addAction(menu,
+            {"file.quit",
+             FileMenuWords::tr("&Quit"),
+             FileMenuWords::tr("Close the window"),
+             {QKeySequence(Qt::CTRL | Qt::Key_Q)}},
+            [&window] { window.close(); });
 }
 
 }  // namespace flatland::ui

@@ -13,8 +13,6 @@ namespace flatland::ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("KeySheet", text); }
-
 struct Line {
   QString keys, effect;
 };
@@ -25,50 +23,50 @@ struct Section {
 
 std::vector<Section> leftColumn() {
   return {
-      {tr("Points"),
-       {{tr("Drag"), tr("Move the point, or the whole curve")},
-        {tr("Ctrl + drag"), tr("Along one axis")},
-        {tr("Alt + drag"), tr("Leave its handles behind")},
-        {tr("Double-click on the curve"), tr("Insert a point, shape kept")},
-        {tr("Click, Shift + click"), tr("Select, select more")},
-        {tr("Drag on nothing"), tr("Select by rectangle")},
-        {tr("Tab, Shift + Tab"), tr("Next, previous point")},
-        {tr("Arrow keys"), tr("Move the selected points")},
-        {tr("Shift + arrow"), tr("Ten times as far")},
-        {tr("Ctrl or Alt + arrow"), tr("A tenth as far")},
-        {tr("Delete"), tr("Remove the selected points")},
-        {tr("Esc"), tr("Take back a drag; deselect")}}},
-      {tr("Curves"),
-       {{tr("Ctrl + Shift + A"), tr("Add a curve")},
-        {tr("Ctrl + D"), tr("Raise the degree")},
-        {tr("N"), tr("Flip the normal")},
-        {tr("Ctrl + R"), tr("Reset")}}},
+      {KeySheet::tr("Points"),
+       {{KeySheet::tr("Drag"), KeySheet::tr("Move the point, or the whole curve")},
+        {KeySheet::tr("Ctrl + drag"), KeySheet::tr("Along one axis")},
+        {KeySheet::tr("Alt + drag"), KeySheet::tr("Leave its handles behind")},
+        {KeySheet::tr("Double-click on the curve"), KeySheet::tr("Insert a point, shape kept")},
+        {KeySheet::tr("Click, Shift + click"), KeySheet::tr("Select, select more")},
+        {KeySheet::tr("Drag on nothing"), KeySheet::tr("Select by rectangle")},
+        {KeySheet::tr("Tab, Shift + Tab"), KeySheet::tr("Next, previous point")},
+        {KeySheet::tr("Arrow keys"), KeySheet::tr("Move the selected points")},
+        {KeySheet::tr("Shift + arrow"), KeySheet::tr("Ten times as far")},
+        {KeySheet::tr("Ctrl or Alt + arrow"), KeySheet::tr("A tenth as far")},
+        {KeySheet::tr("Delete"), KeySheet::tr("Remove the selected points")},
+        {KeySheet::tr("Esc"), KeySheet::tr("Take back a drag; deselect")}}},
+      {KeySheet::tr("Curves"),
+       {{KeySheet::tr("Ctrl + Shift + A"), KeySheet::tr("Add a curve")},
+        {KeySheet::tr("Ctrl + D"), KeySheet::tr("Raise the degree")},
+        {KeySheet::tr("N"), KeySheet::tr("Flip the normal")},
+        {KeySheet::tr("Ctrl + R"), KeySheet::tr("Reset")}}},
   };
 }
 
 std::vector<Section> rightColumn() {
   return {
-      {tr("Viewer"),
-       {{tr("Drag the eye"), tr("Turn the view")},
-        {tr("Shift + drag"), tr("In steps of 15°")},
-        {tr("Ctrl + drag"), tr("Keep the distance (perspective)")},
-        {tr("1 2 3 4"), tr("View from 0°, 90°, 180°, 270°")},
-        {tr("P"), tr("Perspective on or off")}}},
-      {tr("Picture"),
-       {{tr("Wheel, pinch"), tr("Zoom at the pointer")},
-        {tr("Middle button, Space + drag"), tr("Move the picture")},
-        {tr("Two fingers on a trackpad"), tr("Move the picture")},
-        {tr("F"), tr("Fit the scene")},
-        {tr("C"), tr("Control polygon on or off")},
-        {tr("D"), tr("Hidden parts on or off")},
-        {tr("F6"), tr("Focus to the next panel")}}},
-      {tr("Files and steps"),
-       {{tr("Ctrl + N, O, S"), tr("New, open, save")},
-        {tr("Ctrl + Shift + S"), tr("Save as")},
-        {tr("Ctrl + E"), tr("Export the picture")},
-        {tr("Ctrl + Z"), tr("Undo")},
-        {tr("Ctrl + Shift + Z, Ctrl + Y"), tr("Redo")},
-        {tr("H, ?"), tr("This sheet")}}},
+      {KeySheet::tr("Viewer"),
+       {{KeySheet::tr("Drag the eye"), KeySheet::tr("Turn the view")},
+        {KeySheet::tr("Shift + drag"), KeySheet::tr("In steps of 15°")},
+        {KeySheet::tr("Ctrl + drag"), KeySheet::tr("Keep the distance (perspective)")},
+        {KeySheet::tr("1 2 3 4"), KeySheet::tr("View from 0°, 90°, 180°, 270°")},
+        {KeySheet::tr("P"), KeySheet::tr("Perspective on or off")}}},
+      {KeySheet::tr("Picture"),
+       {{KeySheet::tr("Wheel, pinch"), KeySheet::tr("Zoom at the pointer")},
+        {KeySheet::tr("Middle button, Space + drag"), KeySheet::tr("Move the picture")},
+        {KeySheet::tr("Two fingers on a trackpad"), KeySheet::tr("Move the picture")},
+        {KeySheet::tr("F"), KeySheet::tr("Fit the scene")},
+        {KeySheet::tr("C"), KeySheet::tr("Control polygon on or off")},
+        {KeySheet::tr("D"), KeySheet::tr("Hidden parts on or off")},
+        {KeySheet::tr("F6"), KeySheet::tr("Focus to the next panel")}}},
+      {KeySheet::tr("Files and steps"),
+       {{KeySheet::tr("Ctrl + N, O, S"), KeySheet::tr("New, open, save")},
+        {KeySheet::tr("Ctrl + Shift + S"), KeySheet::tr("Save as")},
+        {KeySheet::tr("Ctrl + E"), KeySheet::tr("Export the picture")},
+        {KeySheet::tr("Ctrl + Z"), KeySheet::tr("Undo")},
+        {KeySheet::tr("Ctrl + Shift + Z, Ctrl + Y"), KeySheet::tr("Redo")},
+        {KeySheet::tr("H, ?"), KeySheet::tr("This sheet")}}},
   };
 }
 

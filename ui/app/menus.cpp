@@ -2,6 +2,7 @@
 #include "ui/app/menus.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -9,6 +10,10 @@
 namespace flatland::ui {
 
 namespace {
+
+struct MenusWords {
+  Q_DECLARE_TR_FUNCTIONS(Menus)
+};
 
 QAction* makeAction(QMenu& menu, const ActionText& text) {
   QAction* action = menu.addAction(text.text);
@@ -42,25 +47,25 @@ QAction* addSwitch(QMenu& menu, const ActionText& text, std::function<void(bool)
 }
 
 void buildMenus(const MenuParts& parts) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("Menus", text); };
-  buildFileMenu(addMenu(parts.window, "menu.file", tr("&File")), parts);
-  buildEditMenu(addMenu(parts.window, "menu.edit", tr("&Edit")), parts);
-  buildCurveMenu(addMenu(parts.window, "menu.curve", tr("&Curve")), parts);
-  buildViewMenu(addMenu(parts.window, "menu.view", tr("&View")), parts);
-  buildHelpMenu(addMenu(parts.window, "menu.help", tr("&Help")), parts);
+  buildFileMenu(addMenu(parts.window, "menu.file", MenusWords::tr("&File")), parts);
+  buildEditMenu(addMenu(parts.window, "menu.edit", MenusWords::tr("&Edit")), parts);
+  buildCurveMenu(addMenu(parts.window, "menu.curve", MenusWords::tr("&Curve")), parts);
+  buildViewMenu(addMenu(parts.window, "menu.view", MenusWords::tr("&View")), parts);
+  buildHelpMenu(addMenu(parts.window, "menu.help", MenusWords::tr("&Help")), parts);
 }
 
 void buildHelpMenu(QMenu& menu, const MenuParts& parts) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("Menus", text); };
   addAction(menu,
             {"help.keys",
-             tr("&Keys"),
-             tr("All keys and mouse gestures on one sheet"),
+             MenusWords::tr("&Keys"),
+             MenusWords::tr("All keys and mouse gestures on one sheet"),
              {QKeySequence(Qt::Key_H), QKeySequence(Qt::Key_Question), QKeySequence("Shift+?"),
               QKeySequence(Qt::Key_F1)}},
             parts.showKeys);
-  addAction(menu, {"help.about", tr("&About Flatland"), tr("What this program is")},
-            parts.showAbout);
+  addAction(
+      menu,
+      {"help.about", MenusWords::tr("&About Flatland"), MenusWords::tr("What this program is")},
+      parts.showAbout);
 }
 
 }  // namespace flatland::ui

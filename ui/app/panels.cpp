@@ -11,15 +11,24 @@
 
 namespace flatland::ui {
 
+namespace {
+
+struct PanelsWords {
+  Q_DECLARE_TR_FUNCTIONS(Panels)
+};
+
+}  // namespace
+
 void addPanels(Docks& docks, const CanvasModels& models, StatusLine& status) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("Panels", text); };
   using Group = Docks::Group;
-  docks.add("view", tr("View"), new ViewPanel(models.document, models.stage), Group::Top);
-  docks.add("legend", tr("Legend"), new LegendPanel(models.document, models.display), Group::Side);
+  docks.add("view", PanelsWords::tr("View"), new ViewPanel(models.document, models.stage),
+            Group::Top);
+  docks.add("legend", PanelsWords::tr("Legend"), new LegendPanel(models.document, models.display),
+            Group::Side);
   auto* points = new PointsPanel(models.document, models.selection);
   QObject::connect(points, &PointsPanel::refused, &status, &StatusLine::say);
-  docks.add("points", tr("Points"), points, Group::Side);
-  docks.add("marks", tr("Marks"), new MarksPanel(models), Group::Bottom);
+  docks.add("points", PanelsWords::tr("Points"), points, Group::Side);
+  docks.add("marks", PanelsWords::tr("Marks"), new MarksPanel(models), Group::Bottom);
 }
 
 }  // namespace flatland::ui

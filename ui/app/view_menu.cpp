@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
 #include <QApplication>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QMenu>
 
@@ -10,7 +11,9 @@ namespace flatland::ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ViewMenu", text); }
+struct ViewMenuWords {
+  Q_DECLARE_TR_FUNCTIONS(ViewMenu)
+};
 
 constexpr double kZoomStep = 1.25;
 
@@ -31,18 +34,22 @@ void movePane(const MenuParts& parts, int step) {
 void addZoom(QMenu& menu, const MenuParts& parts) {
   FlatCanvas& canvas = parts.canvas;
   Viewport& viewport = parts.models.viewport;
-  addAction(menu, {"view.fit", tr("&Fit"), tr("Show the whole scene"), {QKeySequence(Qt::Key_F)}},
+  addAction(menu,
+            {"view.fit",
+             ViewMenuWords::tr("&Fit"),
+             ViewMenuWords::tr("Show the whole scene"),
+             {QKeySequence(Qt::Key_F)}},
             [&canvas] { canvas.fit(); });
   addAction(menu,
             {"view.zoom-in",
-             tr("Zoom &In"),
-             tr("Show it larger"),
+             ViewMenuWords::tr("Zoom &In"),
+             ViewMenuWords::tr("Show it larger"),
              {QKeySequence(Qt::CTRL | Qt::Key_Plus), QKeySequence(Qt::CTRL | Qt::Key_Equal)}},
             [&viewport] { viewport.zoomAtCentre(kZoomStep); });
   addAction(menu,
             {"view.zoom-out",
-             tr("Zoom &Out"),
-             tr("Show it smaller"),
+             ViewMenuWords::tr("Zoom &Out"),
+             ViewMenuWords::tr("Show it smaller"),
              {QKeySequence(Qt::CTRL | Qt::Key_Minus)}},
             [&viewport] { viewport.zoomAtCentre(1.0 / kZoomStep); });
 }
@@ -53,8 +60,8 @@ void addAngles(QMenu& menu, EditController& edits) {
     const int degrees = 90 * i;
     addAction(menu,
               {"view.from",
-               tr("View from %1°").arg(degrees),
-               tr("Put the viewer at %1°").arg(degrees),
+               ViewMenuWords::tr("View from %1°").arg(degrees),
+               ViewMenuWords::tr("Put the viewer at %1°").arg(degrees),
                {QKeySequence(keys[i])}},
               [&edits, degrees] { edits.setAngle(degrees); })
         ->setObjectName(QStringLiteral("view.from.%1").arg(degrees));
@@ -67,20 +74,20 @@ void addSwitches(QMenu& menu, const MenuParts& parts) {
   Document& document = parts.models.document;
   QAction* perspective = addSwitch(menu,
                                    {"view.perspective",
-                                    tr("&Perspective"),
-                                    tr("The viewer stands at a distance"),
+                                    ViewMenuWords::tr("&Perspective"),
+                                    ViewMenuWords::tr("The viewer stands at a distance"),
                                     {QKeySequence(Qt::Key_P)}},
                                    [&edits](bool on) { edits.togglePerspective(on); });
   QAction* polygon = addSwitch(menu,
                                {"view.control-polygon",
-                                tr("&Control Polygon"),
-                                tr("Show the lines between the control points"),
+                                ViewMenuWords::tr("&Control Polygon"),
+                                ViewMenuWords::tr("Show the lines between the control points"),
                                 {QKeySequence(Qt::Key_C)}},
                                [&display](bool on) { display.setShowsControlPolygon(on); });
   QAction* hidden = addSwitch(menu,
                               {"view.hidden",
-                               tr("&Hidden Parts"),
-                               tr("Show what the viewer cannot see, paler"),
+                               ViewMenuWords::tr("&Hidden Parts"),
+                               ViewMenuWords::tr("Show what the viewer cannot see, paler"),
                                {QKeySequence(Qt::Key_D)}},
                               [&display](bool on) { display.setShowsHidden(on); });
   const auto showDisplay = [&display, polygon, hidden] {
@@ -110,24 +117,25 @@ void buildViewMenu(QMenu& menu, const MenuParts& parts) {
   for (QDockWidget* dock : parts.docks) {
     QAction* toggle = dock->toggleViewAction();
     toggle->setObjectName("view.dock." + dock->objectName());
-    toggle->setStatusTip(tr("Show or close this panel"));
+    toggle->setStatusTip(ViewMenuWords::tr("Show or close this panel"));
     toggle->setToolTip(toggle->statusTip());
     menu.addAction(toggle);
   }
   addAction(menu,
-            {"view.restore-layout", tr("&Restore Panels"), tr("All panels back to their places")},
+            {"view.restore-layout", ViewMenuWords::tr("&Restore Panels"),
+             ViewMenuWords::tr("All panels back to their places")},
             parts.restoreLayout);
   menu.addSeparator();
   addAction(menu,
             {"view.next-pane",
-             tr("&Next Pane"),
-             tr("Move the focus on: canvas, panels"),
+             ViewMenuWords::tr("&Next Pane"),
+             ViewMenuWords::tr("Move the focus on: canvas, panels"),
              {QKeySequence(Qt::Key_F6)}},
             [parts] { movePane(parts, 1); });
   addAction(menu,
             {"view.previous-pane",
-             tr("Pre&vious Pane"),
-             tr("Move the focus back"),
+             ViewMenuWords::tr("Pre&vious Pane"),
+             ViewMenuWords::tr("Move the focus back"),
              {QKeySequence(Qt::SHIFT | Qt::Key_F6)}},
             [parts] { movePane(parts, -1); });
 }

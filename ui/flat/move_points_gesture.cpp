@@ -48,8 +48,10 @@ void MovePointsGesture::moveTo(const Vec2& delta, JointMode mode) {
 }
 
 QString MovePointsGesture::status() const {
-  return tr("Moving %1 by (%2). Ctrl: along one axis. Alt: leave the handles. Esc: take it back.")
-      .arg(plan_.moving.size() == 1 ? tr("the point") : tr("%1 points").arg(plan_.moving.size()),
+  return Gesture::tr(
+             "Moving %1 by (%2). Ctrl: along one axis. Alt: leave the handles. Esc: take it back.")
+      .arg(plan_.moving.size() == 1 ? Gesture::tr("the point")
+                                    : Gesture::tr("%1 points").arg(plan_.moving.size()),
            coordinates(models_.viewport, delta_));
 }
 

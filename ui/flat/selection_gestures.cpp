@@ -40,7 +40,7 @@ void RubberBandGesture::finish(const Pointer& pointer) {
 void RubberBandGesture::cancel() { models_.selection.setPoints(before_); }
 
 QString RubberBandGesture::status() const {
-  return tr("%1 points selected. Shift: add to the selection. Esc: take it back.")
+  return Gesture::tr("%1 points selected. Shift: add to the selection. Esc: take it back.")
       .arg(models_.selection.points().size());
 }
 
@@ -62,7 +62,8 @@ PickMarkGesture::PickMarkGesture(const CanvasModels& models, std::size_t mark)
 void PickMarkGesture::cancel() { models_.selection.setMark(before_); }
 
 QString PickMarkGesture::status() const {
-  return tr("Marks follow from the curve and the view; the table tells this one's values.");
+  return Gesture::tr(
+      "Marks follow from the curve and the view; the table tells this one's values.");
 }
 
 }  // namespace flatland::ui

@@ -38,15 +38,16 @@ void TurnViewGesture::cancel() {
 }
 
 QString TurnViewGesture::status() const {
-  return start_.distance
-             ? tr("Moving the viewer. Shift: steps of 15°. Ctrl: same distance. Esc: take it back.")
-             : tr("Turning the view. Shift: steps of 15°. Esc: take it back.");
+  return start_.distance ? Gesture::tr(
+                               "Moving the viewer. Shift: steps of 15°. Ctrl: same distance. Esc: "
+                               "take it back.")
+                         : Gesture::tr("Turning the view. Shift: steps of 15°. Esc: take it back.");
 }
 
 void TurnViewGesture::paint(QPainter& painter) const {
   const View& view = models_.document.scene().view;
-  QString text = tr("%1°").arg(view.angleDeg, 0, 'f', 1);
-  if (view.distance) text += tr("   distance %1").arg(*view.distance, 0, 'g', 6);
+  QString text = Gesture::tr("%1°").arg(view.angleDeg, 0, 'f', 1);
+  if (view.distance) text += Gesture::tr("   distance %1").arg(*view.distance, 0, 'g', 6);
   const QPointF handle = handlePlace(models_, canvas_).at;
   paintLabel(painter, handle, text);
 }
@@ -63,7 +64,9 @@ void PanGesture::move(const Pointer& pointer) {
 
 void PanGesture::cancel() { models_.viewport.panBy(-total_); }
 
-QString PanGesture::status() const { return tr("Moving the picture. F: fit it into the window."); }
+QString PanGesture::status() const {
+  return Gesture::tr("Moving the picture. F: fit it into the window.");
+}
 
 std::unique_ptr<Gesture> beginPan(const CanvasModels& models, const Pointer& pressed) {
   return std::make_unique<PanGesture>(models, pressed);

@@ -38,9 +38,9 @@ QString widestText(int column) {
 
 void setUpTable(QTableView& table) {
   table.setObjectName("marks.table");
-  table.setAccessibleName(QCoreApplication::translate("MarksPanel", "Marks"));
-  table.setToolTip(QCoreApplication::translate(
-      "MarksPanel", "Select a row to highlight the mark; Enter or a double-click centres it."));
+  table.setAccessibleName(MarksPanel::tr("Marks"));
+  table.setToolTip(
+      MarksPanel::tr("Select a row to highlight the mark; Enter or a double-click centres it."));
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
   table.setSelectionMode(QAbstractItemView::SingleSelection);
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);

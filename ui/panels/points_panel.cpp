@@ -23,7 +23,7 @@ class CoordinateDelegate : public QStyledItemDelegate {
                         const QModelIndex&) const override {
     auto* editor = new QLineEdit(parent);
     editor->setObjectName("points.editor");
-    editor->setAccessibleName(QCoreApplication::translate("PointsPanel", "Coordinate"));
+    editor->setAccessibleName(PointsPanel::tr("Coordinate"));
     editor->setFrame(false);
     return editor;
   }
