@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flatland/features/regular_arc.h"
 #include "flatland/features/tolerances.h"
-#include "flatland/roots/isolate.h"
+#include "flatland/features/viewed_arc.h"
 
 namespace flatland {
 
@@ -14,26 +13,19 @@ namespace {
 
 enum class End { Open, Corner, Smooth };
 
-/// A regular arc with its polynomials and their roots.
+/// An arc and what its ends meet.
 struct Arc {
-  int piece;
-  RegularArc geometry;
-  ArcPolynomials polynomials;
-  Roots silhouette, curvature, curvaturePrime, lambdaPrime;
+  std::unique_ptr<ViewedArc> viewed;
   End start = End::Open, finish = End::Open;
 
-  double parameter(double s) const {
-    const double low = geometry.tLow, high = geometry.tHigh;
-    return low == 0.0 && high == 1.0 ? s : low + s * (high - low);
-  }
+  const ViewedArc* operator->() const { return viewed.get(); }
+  const Roots& roots(ArcFunction function) const { return viewed->roots(function); }
 };
 
 /// Signs just inside one end of an arc, with respect to increasing t.
 struct Signs {
   int nw, k, kPrime, lambdaPrime;
 };
-
-int signAt(const Bernstein& p, double s) { return p.at(s).certainSign(); }
 
 class CurveMarker {
  public:
@@ -42,7 +34,6 @@ class CurveMarker {
     Vec2 low = chain.points().front(), high = low;
     for (const Vec2& p : chain.points()) low = low.cwiseMin(p), high = high.cwiseMax(p);
     extent_ = (high - low).norm();
-    scale_ = unitScale(extent_);
   }
 
   CurveMarks run() {
@@ -58,61 +49,40 @@ class CurveMarker {
   // --- arcs ---------------------------------------------------------------------------------
 
   void addPiece(int index) {
-    std::vector<RegularArc> parts = regularArcs(chain_.piece(index), scale_);
-    if (parts.empty()) {
+    std::vector<std::unique_ptr<ViewedArc>> arcs =
+        viewedArcs(chain_.piece(index), index, frame_, extent_);
+    if (arcs.empty()) {
       result_.degenerate.push_back({Degenerate::What::Point, 0, index + 0.0, index + 1.0});
-      return;
     }
-    for (RegularArc& part : parts) {
-      Arc arc{index, std::move(part), {}, {}, {}, {}, {}};
-      arc.polynomials = polynomialsOf(arc.geometry, frame_, scale_);
-      if (arc.polynomials.curvature.isZero()) arc.geometry.straight = true;
-      if (arc.geometry.straight) {
-        if (isEndOn(arc.geometry)) arc.polynomials.silhouette = Bernstein::fromDoubles({0.0});
-        const bool endOn = arc.polynomials.silhouette.isZero();
-        const auto what = endOn ? Degenerate::What::StraightEndOn : Degenerate::What::Straight;
-        result_.degenerate.push_back(
-            {what, 0, index + arc.geometry.tLow, index + arc.geometry.tHigh});
-      } else {
-        arc.curvature = isolateRoots(arc.polynomials.curvature);
-        arc.curvaturePrime = isolateRoots(arc.polynomials.curvaturePrime);
-        arc.lambdaPrime = isolateRoots(arc.polynomials.lambdaPrime);
+    for (std::unique_ptr<ViewedArc>& arc : arcs) {
+      if (arc->straight) {
+        const auto what = arc->endOn ? Degenerate::What::StraightEndOn : Degenerate::What::Straight;
+        result_.degenerate.push_back({what, 0, index + arc->tLow, index + arc->tHigh});
       }
-      arc.silhouette = isolateRoots(arc.polynomials.silhouette);
-      arcs_.push_back(std::move(arc));
+      arcs_.push_back({std::move(arc)});
     }
-  }
-
-  // The line of sight runs along the piece: at its nearest and farthest point the sine is tiny.
-  bool isEndOn(const RegularArc& arc) const {
-    const auto sine = [&](const Vec2& direction, const Bounded& x, const Bounded& y) {
-      const Vec2 point = Vec2(x.value(), y.value()) / scale_;
-      return std::abs(cross(direction, towardsViewer(frame_, point)));
-    };
-    return sine(arc.startDirection(), arc.x.first(), arc.y.first()) < kEndOnSine &&
-           sine(arc.endDirection(), arc.x.last(), arc.y.last()) < kEndOnSine;
   }
 
   Signs signsAt(const Arc& arc, double s) const {
-    const int nw = signAt(arc.polynomials.silhouette, s);
-    const int c = signAt(arc.polynomials.curvature, s);
-    return {nw, -side_ * c, -side_ * signAt(arc.polynomials.curvaturePrime, s),
-            signAt(arc.polynomials.lambdaPrime, s) * c * nw};
+    const int nw = arc->signAt(ArcFunction::Silhouette, s);
+    const int c = arc->signAt(ArcFunction::Curvature, s);
+    return {nw, -side_ * c, -side_ * arc->signAt(ArcFunction::CurvaturePrime, s),
+            arc->signAt(ArcFunction::LambdaPrime, s) * c * nw};
   }
 
-  // k in scene units from a one-sided end value of the polynomials.
-  std::optional<double> curvature(const std::optional<double>& scaled) const {
-    if (!scaled) return std::nullopt;
-    return -side_ * *scaled * scale_;
+  // k for the curve's normal from a one-sided end value of an arc.
+  std::optional<double> curvature(const std::optional<double>& ofLeftNormal) const {
+    if (!ofLeftNormal) return std::nullopt;
+    return -side_ * *ofLeftNormal;
   }
 
   // --- where arcs meet ----------------------------------------------------------------------
 
   void meet(Arc& a, Arc& b) {
-    const Vec2 in = a.geometry.endDirection(), out = b.geometry.startDirection();
+    const Vec2 in = a->endDirection, out = b->startDirection;
     double turn = std::atan2(cross(in, out), in.dot(out));
     if (turn < 0.0 && std::abs(cross(in, out)) < kSmoothJointRad && in.dot(out) < 0.0) turn = -turn;
-    joint_ = {MarkKind::Corner, b.piece, b.geometry.tLow, true, {}, turn};
+    joint_ = {MarkKind::Corner, b->piece, b->tLow, true, {}, turn};
     if (std::abs(turn) > kSmoothJointRad) {
       a.finish = b.start = End::Corner;
       meetAtCorner(a, b);
@@ -131,24 +101,24 @@ class CurveMarker {
 
   void meetAtCorner(const Arc& a, const Arc& b) {
     addAtJoint(MarkKind::Corner);
-    const Bernstein& before = a.polynomials.silhouette;
-    const Bernstein& after = b.polynomials.silhouette;
+    const int before = a->signAt(ArcFunction::Silhouette, 1.0);
+    const int after = b->signAt(ArcFunction::Silhouette, 0.0);
     // The image folds, or one side leaves along the line of sight.
-    if (before.last().certainSign() * after.first().certainSign() <= 0) {
+    if (before * after <= 0) {
       addAtJoint(MarkKind::Silhouette);
     }
   }
 
   void meetSmoothly(const Arc& a, const Arc& b) {
     const Signs before = signsAt(a, 1.0 - kJointWindow), after = signsAt(b, kJointWindow);
-    const bool silhouette = settle(MarkKind::Silhouette, a, a.silhouette, b, b.silhouette,
-                                   before.nw * after.nw < 0, true);
-    settle(MarkKind::Inflection, a, a.curvature, b, b.curvature, before.k * after.k < 0, false);
+    const bool silhouette =
+        settle(MarkKind::Silhouette, ArcFunction::Silhouette, a, b, before.nw * after.nw < 0, true);
+    settle(MarkKind::Inflection, ArcFunction::Curvature, a, b, before.k * after.k < 0, false);
 
-    const auto ka = curvature(a.polynomials.endCurvature);
-    const auto kb = curvature(b.polynomials.startCurvature);
+    const auto ka = curvature(a->endCurvature);
+    const auto kb = curvature(b->startCurvature);
     if (!ka || !kb) {
-      const double t = b.piece + b.geometry.tLow;
+      const double t = b->piece + b->tLow;
       for (const MarkKind kind : {MarkKind::Ridge, MarkKind::ApparentRidge}) {
         result_.unresolved.push_back(
             {kind, 0, t, t, "curvature is infinite here, of undecided sign"});
@@ -169,8 +139,7 @@ class CurveMarker {
                    const Signs& after) {
     if (same(ka, kb)) {
       if (before.kPrime * after.kPrime >= 0) return;
-      settle(extremumKind(before.kPrime > 0, ka), a, a.curvaturePrime, b, b.curvaturePrime, true,
-             false);
+      settle(extremumKind(before.kPrime > 0, ka), ArcFunction::CurvaturePrime, a, b, true, false);
       return;
     }
     // The side with the larger (smaller) value decides, and must lead up (down) to the joint.
@@ -191,8 +160,8 @@ class CurveMarker {
     if (same(sizeA, sizeB)) {
       const bool turns = before.lambdaPrime * after.lambdaPrime < 0;
       if (!turns || (before.lambdaPrime < 0 && !keepsSign)) return;
-      settle(before.lambdaPrime > 0 ? MarkKind::ApparentRidge : MarkKind::ApparentMinimum, a,
-             a.lambdaPrime, b, b.lambdaPrime, true, false);
+      settle(before.lambdaPrime > 0 ? MarkKind::ApparentRidge : MarkKind::ApparentMinimum,
+             ArcFunction::LambdaPrime, a, b, true, false);
       return;
     }
     const bool fromA = sizeA > sizeB;
@@ -208,21 +177,21 @@ class CurveMarker {
   // follows.
   void addAtJump(MarkKind kind, bool valueOfA, const Arc& a) {
     addAtJoint(kind);
-    if (valueOfA) result_.marks.back().valueAt = {a.piece, a.geometry.tHigh};
+    if (valueOfA) result_.marks.back().valueAt = {a->piece, a->tHigh};
   }
 
   // Judges one kind of root in the windows on both sides of a smooth joint: marks the root itself
   // if it is the only one, the joint if there are none or several. `changes`: the sign differs
   // across the windows. `touches`: a root counts even without a change of sign. True if something
   // was marked.
-  bool settle(MarkKind kind, const Arc& a, const Roots& rootsA, const Arc& b, const Roots& rootsB,
-              bool changes, bool touches) {
+  bool settle(MarkKind kind, ArcFunction function, const Arc& a, const Arc& b, bool changes,
+              bool touches) {
     std::vector<CurveMark> near;
-    for (const Root& root : rootsA.roots) {
-      if (root.t > 1.0 - kJointWindow) near.push_back({kind, a.piece, a.parameter(root.t)});
+    for (const Root& root : a.roots(function).roots) {
+      if (root.t > 1.0 - kJointWindow) near.push_back({kind, a->piece, a->parameter(root.t)});
     }
-    for (const Root& root : rootsB.roots) {
-      if (root.t < kJointWindow) near.push_back({kind, b.piece, b.parameter(root.t)});
+    for (const Root& root : b.roots(function).roots) {
+      if (root.t < kJointWindow) near.push_back({kind, b->piece, b->parameter(root.t)});
     }
     if (!changes && !(touches && !near.empty())) return false;
     if (near.size() == 1 && near[0].t != 0.0 && near[0].t != 1.0) {
@@ -253,34 +222,35 @@ class CurveMarker {
 
   void addInterior(const Arc& arc) {
     const auto mark = [&](MarkKind kind, const Root& root) {
-      result_.marks.push_back({kind, arc.piece, arc.parameter(root.t)});
+      result_.marks.push_back({kind, arc->piece, arc->parameter(root.t)});
     };
-    for (const Root& root : arc.silhouette.roots) {
+    for (const Root& root : arc.roots(ArcFunction::Silhouette).roots) {
       if (isInside(arc, root.t, true)) mark(MarkKind::Silhouette, root);
     }
-    for (const Root& root : arc.curvature.roots) {
+    for (const Root& root : arc.roots(ArcFunction::Curvature).roots) {
       if (!isInside(arc, root.t, true)) continue;
       // At an open end only the multiplicity tells that the curve's continuation would cross over.
       const bool crosses =
           root.signBefore * root.signAfter != 0 ? root.isCrossing() : root.multiplicity % 2 == 1;
       if (crosses) mark(MarkKind::Inflection, root);
     }
-    for (const Root& root : arc.curvaturePrime.roots) {
+    for (const Root& root : arc.roots(ArcFunction::CurvaturePrime).roots) {
       if (!isInside(arc, root.t, false) || !root.isCrossing()) continue;
-      const int kSign = -side_ * signAt(arc.polynomials.curvature, root.t);
+      const int kSign = -side_ * arc->signAt(ArcFunction::Curvature, root.t);
       mark(extremumKind(-side_ * root.signBefore > 0, kSign), root);
     }
-    for (const Root& root : arc.lambdaPrime.roots) {
+    for (const Root& root : arc.roots(ArcFunction::LambdaPrime).roots) {
       // At a silhouette of even multiplicity lambda rises to infinity from both sides.
-      if (!isInside(arc, root.t, false) || holdsRoot(arc.silhouette, root.low, root.high)) continue;
+      if (!isInside(arc, root.t, false)) continue;
+      if (holdsRoot(arc.roots(ArcFunction::Silhouette), root.low, root.high)) continue;
       const int before = lambdaTrend(arc, root, -1), after = lambdaTrend(arc, root, +1);
       if (before > 0 && after < 0) mark(MarkKind::ApparentRidge, root);
       if (before < 0 && after > 0) mark(MarkKind::ApparentMinimum, root);
     }
-    addOpenQuestions(arc, MarkKind::Silhouette, arc.silhouette);
-    addOpenQuestions(arc, MarkKind::Inflection, arc.curvature);
-    addOpenQuestions(arc, MarkKind::Ridge, arc.curvaturePrime);
-    addOpenQuestions(arc, MarkKind::ApparentRidge, arc.lambdaPrime);
+    addOpenQuestions(arc, MarkKind::Silhouette, arc.roots(ArcFunction::Silhouette));
+    addOpenQuestions(arc, MarkKind::Inflection, arc.roots(ArcFunction::Curvature));
+    addOpenQuestions(arc, MarkKind::Ridge, arc.roots(ArcFunction::CurvaturePrime));
+    addOpenQuestions(arc, MarkKind::ApparentRidge, arc.roots(ArcFunction::LambdaPrime));
   }
 
   static MarkKind extremumKind(bool maximum, double k) {
@@ -296,7 +266,8 @@ class CurveMarker {
     for (double step = 0x1p-53; step < kJointWindow; step *= 8.0) {
       const double s = (direction < 0 ? root.low : root.high) + direction * step;
       if (s < 0.0 || s > 1.0) break;
-      const int c = signAt(arc.polynomials.curvature, s), w = signAt(arc.polynomials.silhouette, s);
+      const int c = arc->signAt(ArcFunction::Curvature, s);
+      const int w = arc->signAt(ArcFunction::Silhouette, s);
       if (c != 0 && w != 0) return own * c * w;
     }
     return 0;
@@ -306,9 +277,9 @@ class CurveMarker {
   void addOpenQuestions(const Arc& arc, MarkKind kind, const Roots& roots) {
     const auto open = [&](double low, double high, const char* reason) {
       result_.unresolved.push_back(
-          {kind, 0, arc.piece + arc.parameter(low), arc.piece + arc.parameter(high), reason});
+          {kind, 0, arc->piece + arc->parameter(low), arc->piece + arc->parameter(high), reason});
     };
-    if (roots.identicallyZero && !arc.geometry.straight) {
+    if (roots.identicallyZero && !arc->straight) {
       open(0.0, 1.0, "the defining polynomial cannot be told from zero");
     }
     for (const RootInterval& interval : roots.unresolved) {
@@ -329,9 +300,10 @@ class CurveMarker {
       return holdsRoot(roots, interval.low, interval.high, 2);
     };
     if (kind == MarkKind::ApparentRidge) {
-      return holdsMultiple(arc.silhouette) || holdsMultiple(arc.curvature);
+      return holdsMultiple(arc.roots(ArcFunction::Silhouette)) ||
+             holdsMultiple(arc.roots(ArcFunction::Curvature));
     }
-    return kind == MarkKind::Ridge && holdsMultiple(arc.curvature);
+    return kind == MarkKind::Ridge && holdsMultiple(arc.roots(ArcFunction::Curvature));
   }
 
   // True if the interval meets a root of at least that multiplicity; a cluster has any.
@@ -345,7 +317,7 @@ class CurveMarker {
   const BezierChain& chain_;
   const ViewFrame& frame_;
   const int side_;
-  double extent_ = 0.0, scale_ = 1.0;
+  double extent_ = 0.0;
   std::vector<Arc> arcs_;
   CurveMark joint_{};  ///< the joint being judged
   CurveMarks result_;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "flatland/curve/curve.h"
+#include "flatland/roots/isolate.h"
+#include "flatland/view/view.h"
+
+namespace flatland {
+
+/// The functions of s, the parameter of an arc, whose roots are its marks.
+enum class ArcFunction {
+  Silhouette,      ///< sign of n.w for the left normal
+  Curvature,       ///< sign of -k for the left normal
+  CurvaturePrime,  ///< sign of -dk/du for the left normal
+  LambdaPrime,     ///< sign of dlambda/du * Curvature * Silhouette
+  Fold,            ///< sign of k^4 + k k'' - k'^2 (docs/math/sweep.md); no view enters
+};
+inline constexpr int kArcFunctionCount = 5;
+
+/// A stretch of a piece on which the curve has a tangent everywhere, and the view it is seen in:
+/// all that decides its marks, whatever the kind of curve. Pieces are cut at interior cusps, so a
+/// cusp is always an end. s runs over [0, 1]. Zeros that a function has only because the speed is
+/// zero at an end are taken out of it.
+class ViewedArc {
+ public:
+  virtual ~ViewedArc() = default;
+
+  int piece = 0;
+  double tLow = 0.0, tHigh = 1.0;     ///< the stretch in the piece's parameter
+  bool straight = false;              ///< k = 0 throughout: only Silhouette has roots
+  bool endOn = false;                 ///< straight and along the line of sight: no roots at all
+  Vec2 startDirection, endDirection;  ///< unit tangents at s = 0 and s = 1, one-sided
+
+  /// -k for the left normal at s = 0 and s = 1, one-sided, 1/length; infinite at most cusps, empty
+  /// where the sign of the infinity is undecided.
+  std::optional<double> startCurvature, endCurvature;
+
+  double parameter(double s) const {
+    return tLow == 0.0 && tHigh == 1.0 ? s : tLow + s * (tHigh - tLow);
+  }
+
+  /// Roots in s; found at the first call and kept.
+  const Roots& roots(ArcFunction function) const;
+
+  /// +1 or -1 where the sign is certain, else 0.
+  virtual int signAt(ArcFunction function, double s) const = 0;
+
+ private:
+  virtual Roots findRoots(ArcFunction function) const = 0;
+
+  mutable std::array<std::optional<Roots>, kArcFunctionCount> roots_;
+};
+
+/// The arcs of a piece, in order; empty if all of it is one point. `extent` is the size of the
+/// curve (length), which says what is small. Not thread safe on one object.
+std::vector<std::unique_ptr<ViewedArc>> viewedArcs(const Bezier& piece, int index,
+                                                   const ViewFrame& frame, double extent);
+
+}  // namespace flatland
