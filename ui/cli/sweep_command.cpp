@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
 
-#include "flatland/curve/arc_length.h"
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/scene_json.h"
 #include "flatland/io/sweep_text.h"
@@ -29,20 +28,6 @@ std::string whyNotOutput(const std::string& file) {
   return "the name " + file + " should end in .csv, .svg, .pdf, .png or .tex";
 }
 
-// Absolute accuracy of the axis, relative to the curve: far below a pixel.
-constexpr double kAxisAccuracy = 1e-9;
-
-std::vector<double> curveLengths(const Scene& scene) {
-  const double size = boundsOf(scene).diagonal();
-  std::vector<double> lengths;
-  for (const SceneCurve& curve : scene.curves) {
-    const double end = curve.chain().pieceCount();
-    lengths.push_back(size > 0.0 ? arcLength(curve.chain(), 0.0, end, kAxisAccuracy * size).value
-                                 : 0.0);
-  }
-  return lengths;
-}
-
 int run(const Options& options, const std::string& commandLine) {
   if (!isTable(options.output)) requireQtFor(options.output);
   const Scene scene = sceneFromArgument(options.scene);
@@ -66,6 +51,8 @@ int run(const Options& options, const std::string& commandLine) {
   figure.kinds = kinds;
   figure.palette = options.dark ? Palette::Dark : Palette::Light;
   figure.viewAngleDeg = scene.view.angleDeg;
+  const SweepVisibility visibility = visibilityOf(sweep, scene);
+  figure.visibility = &visibility;
   writePicture(
       options.output, sweepFigure(sweep, curveLengths(scene), figure),
       {.title = "Flatland, view sweep: " + std::filesystem::path(options.scene).filename().string(),
