@@ -244,8 +244,7 @@ class Builder {
           branch.points.begin(), branch.points.end(),
           [](const SweepPoint& a, const SweepPoint& b) { return a.angleDeg < b.angleDeg; });
       // Every copy of the branch, 180 degrees apart, that reaches into the diagram.
-      const int first =
-          static_cast<int>(std::floor((window().angleLow - high->angleDeg) / 180.0));
+      const int first = static_cast<int>(std::floor((window().angleLow - high->angleDeg) / 180.0));
       const int last = static_cast<int>(std::ceil((window().angleHigh - low->angleDeg) / 180.0));
       for (int copy = first; copy <= last; ++copy) addCopy(branches, i, copy, stroke);
     }
@@ -389,9 +388,8 @@ class Builder {
 SweepAxes sweepAxes(const Sweep& sweep, const std::vector<double>& curveLengths,
                     const SweepFigureOptions& options) {
   const double legend = legendOf(sweep, options).height;
-  const double names = options.width >= kRoomForNamesPx
-                           ? 34.0 + estimatedWidth("Inflection", options.textPx)
-                           : 42.0;
+  const double names =
+      options.width >= kRoomForNamesPx ? 34.0 + estimatedWidth("Inflection", options.textPx) : 42.0;
   const double left = options.width >= kNarrowPx ? 54.0 : 40.0;
   return {curveLengths,
           {left, legend + 24.0, std::max(options.width - names, left + 10.0),
@@ -409,8 +407,8 @@ std::vector<double> curveLengths(const Scene& scene) {
   std::vector<double> lengths;
   for (const SceneCurve& curve : scene.curves) {
     const double end = pieceCount(curve.shape);
-    lengths.push_back(
-        size > 0.0 ? arcLength(curve.shape, 0.0, end, kAxisAccuracy * size).value : 0.0);
+    lengths.push_back(size > 0.0 ? arcLength(curve.shape, 0.0, end, kAxisAccuracy * size).value
+                                 : 0.0);
   }
   return lengths;
 }
