@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "flatland/screen/sweep_visibility.h"
 #include "tests/support/seed.h"
 
 namespace {
@@ -34,12 +35,14 @@ std::vector<double> crossings(const Sweep& sweep, MarkKind kind, double angleDeg
   return at;
 }
 
+constexpr int kAngles = 200;
+
 // Every mark of every view lies on a branch, and every branch is met by a mark.
 void expectAgreesWithFeatures(Scene scene, double offsetDeg) {
   const Sweep sweep = sweepOf(scene);
   double nearestFold = 180.0;
-  for (int i = 0; i < 180; ++i) {
-    scene.view.angleDeg = i + offsetDeg;
+  for (int i = 0; i < kAngles; ++i) {
+    scene.view.angleDeg = 180.0 / kAngles * i + offsetDeg;
     // Within the sampling of a fold, two branches nearly touch and may be counted or not.
     nearestFold = 180.0;
     for (const SweepEvent& event : sweep.events) {
@@ -184,6 +187,67 @@ TEST(Sweep, NeighbouringPointsAreClose) {
       EXPECT_LE(branch.points[i + 1].u - branch.points[i].u, 0.011 * length);
     }
   }
+}
+
+// The nearest mark of a kind in a view, or null.
+const Mark* markNear(const FeatureSet& features, MarkKind kind, int curve, double t) {
+  const Mark* best = nullptr;
+  for (const Mark& mark : features.marks) {
+    if (mark.kind != kind || mark.curve != curve) continue;
+    if (!best || std::abs(mark.t - t) < std::abs(best->t - t)) best = &mark;
+  }
+  return best;
+}
+
+// What the sweep says is hidden is what findFeatures says of the same view.
+TEST(SweepVisibility, AgreesWithTheMarksOfEachView) {
+  int hidden = 0, seen = 0, compared = 0;
+  for (const int preset : {0, 5}) {
+    Scene scene = presets()[static_cast<std::size_t>(preset)].scene;
+    const Sweep sweep = sweepOf(scene);
+    const SweepVisibility visibility = visibilityOf(sweep, scene);
+    ASSERT_EQ(visibility.branches.size(), sweep.branches.size());
+    for (std::size_t b = 0; b < sweep.branches.size(); ++b) {
+      const SweepBranch& branch = sweep.branches[b];
+      for (std::size_t i = 1; i + 1 < branch.points.size(); i += 3) {
+        for (const int copy : {0, 1}) {
+          scene.view.angleDeg = normalizedDeg(branch.points[i].angleDeg + 180.0 * copy);
+          const FeatureSet features = findFeatures(scene);
+          const Mark* mark = markNear(features, branch.kind, branch.curve, branch.points[i].t);
+          // Where two roots all but coincide the rounded angle has other roots than the point.
+          if (!mark || std::abs(mark->t - branch.points[i].t) > 1e-7) continue;
+          ++compared;
+          EXPECT_EQ(visibility.branchAt(b, i, copy), mark->visible)
+              << nameOf(branch.kind) << " at " << scene.view.angleDeg << ", t " << mark->t;
+          ++(mark->visible ? seen : hidden);
+        }
+      }
+    }
+    for (int degree = -180; degree < 180; degree += 7) {
+      scene.view.angleDeg = degree + 1e-3;
+      const FeatureSet features = findFeatures(scene);
+      for (std::size_t i = 0; i < sweep.lines.size(); ++i) {
+        // The names may change with the side; the place does not.
+        for (const Mark& mark : features.marks) {
+          if (std::abs(mark.t - sweep.lines[i].t) > 1e-9) continue;
+          EXPECT_EQ(visibility.lineAt(i, degree), mark.visible) << degree;
+          EXPECT_EQ(visibility.lineAt(i, degree + 360.2), mark.visible) << degree;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 300);
+  EXPECT_GT(hidden, 50);
+  EXPECT_GT(seen, 50);
+}
+
+TEST(SweepVisibility, StopsWhenTold) {
+  const Scene scene = defaultScene();
+  const Sweep sweep = sweepOf(scene);
+  int asked = 0;
+  const SweepVisibility none = visibilityOf(sweep, scene, [&asked] { return ++asked < 5; });
+  EXPECT_EQ(asked, 5);
+  EXPECT_TRUE(none.branches.empty());
 }
 
 TEST(Sweep, StraightAndPointCurvesHaveNoBranches) {

@@ -8,6 +8,7 @@
 #include "ui/panels/marks_panel.h"
 #include "ui/panels/points_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/plot/sweep_panel.h"
 
 namespace flatland::ui {
 
@@ -28,6 +29,9 @@ void addPanels(Docks& docks, const CanvasModels& models, StatusLine& status) {
   auto* points = new PointsPanel(models.document, models.selection);
   QObject::connect(points, &PointsPanel::refused, &status, &StatusLine::say);
   docks.add("points", PanelsWords::tr("Points"), points, Group::Side);
+  auto* sweep = new SweepPanel(models);
+  QObject::connect(sweep, &SweepPanel::said, &status, &StatusLine::say);
+  docks.add("sweep", PanelsWords::tr("Sweep"), sweep, Group::Plots);
   docks.add("marks", PanelsWords::tr("Marks"), new MarksPanel(models), Group::Bottom);
 }
 

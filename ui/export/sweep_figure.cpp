@@ -17,6 +17,7 @@ constexpr double kLegendRowPx = 18.0;
 // Below this width the names at the right end would take too much of the plot; letters stand there.
 constexpr double kRoomForNamesPx = 640.0;
 constexpr double kNarrowPx = 560.0;  // tick labels of arc length take less room
+constexpr double kGridDeg = 45.0;
 constexpr double kLabelledBranchPx = 60.0;
 constexpr double kAxisAccuracy = 1e-9;  // relative to the scene: far below a pixel
 
@@ -142,11 +143,15 @@ class Builder {
     const double labelPx = estimatedWidth("-180\u00b0", options_.textPx) + 14.0;
     const double step =
         degreeStep(range, std::max(2, static_cast<int>((box().right - box().left) / labelPx)));
-    for (double k = std::ceil(w.angleLow / step - 1e-9); k * step <= w.angleHigh + 1e-9 * range;
+    // Every 45 degrees a line, also where the numbers need more room.
+    const double lines = std::min(step, range >= kGridDeg ? kGridDeg : step);
+    for (double k = std::ceil(w.angleLow / lines - 1e-9); k * lines <= w.angleHigh + 1e-9 * range;
          ++k) {
-      const double at = axes_.x(k * step);
+      const double at = axes_.x(k * lines);
       addLine(grid, {at, box().bottom}, {at, box().top}, faint);
-      addText(axes, {at, box().bottom + 13.0}, decimalText(k * step) + "\u00b0",
+      const double steps = k * lines / step;
+      if (std::abs(steps - std::round(steps)) > 1e-6) continue;
+      addText(axes, {at, box().bottom + 13.0}, decimalText(k * lines) + "\u00b0",
               TextShape::Anchor::Middle);
     }
     for (int curve = 0; curve < axes_.curveCount(); ++curve) addArcTicks(grid, axes, curve, faint);

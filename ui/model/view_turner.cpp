@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/model/view_turner.h"
+
+#include "ui/commands/scene_commands.h"
+
+namespace flatland::ui {
+
+void ViewTurner::begin() {
+  if (isActive()) return;
+  start_ = document_.scene().view;
+  gesture_ = document_.newGesture();
+  stage_.hold();
+}
+
+void ViewTurner::turnTo(double angleDeg) {
+  View view = document_.scene().view;
+  view.angleDeg = normalizedDeg(angleDeg);
+  document_.push(std::make_unique<SetView>(document_, view, isActive() ? gesture_ : 0));
+}
+
+void ViewTurner::end() {
+  if (!isActive()) return;
+  start_.reset();
+  stage_.release();
+}
+
+void ViewTurner::cancel() {
+  if (!isActive()) return;
+  document_.push(std::make_unique<SetView>(document_, *start_, gesture_));
+  end();
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/sweep_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <algorithm>
+
+#include "flatland/io/scene_json.h"
+#include "flatland/io/sweep_text.h"
+#include "ui/plot/figure_files.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr double kSlowest = 1.0, kFastest = 360.0;  // degrees per second
+
+}  // namespace
+
+SweepPanel::SweepPanel(const CanvasModels& models, QWidget* parent)
+    : QWidget(parent),
+      models_(models),
+      source_(models.document),
+      player_(models.document, models.stage),
+      view_(new SweepView(models, source_, this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 2);
+  layout->setSpacing(3);
+  layout->addLayout(buildTools());
+  layout->addWidget(view_, 1);
+  state_ = new QLabel(this);
+  state_->setObjectName("sweep.state");
+  state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  layout->addWidget(state_);
+  setFocusProxy(view_);
+
+  connect(&source_, &SweepSource::changed, this, &SweepPanel::showState);
+  connect(&source_, &SweepSource::failed, this, &SweepPanel::said);
+  connect(view_, &SweepView::hovered, this, [this](const QString& text) {
+    hovered_ = text;
+    showState();
+  });
+  connect(view_, &SweepView::playToggled, this, &SweepPanel::togglePlay);
+  connect(view_, &SweepView::escaped, &player_, &ViewPlayer::cancel);
+  connect(&player_, &ViewPlayer::playingChanged, this,
+          [this](bool playing) { play_->setText(playing ? tr("Pause") : tr("Play")); });
+  connect(&models_.document, &Document::changed, this, [this] {
+    showAngle();
+    showState();
+  });
+  showAngle();
+  showState();
+}
+
+QToolButton* SweepPanel::addTool(const char* id, const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(id);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the diagram
+  return button;
+}
+
+QLayout* SweepPanel::buildTools() {
+  angle_ = new QDoubleSpinBox(this);
+  angle_->setObjectName("sweep.angle");
+  angle_->setDecimals(4);
+  angle_->setRange(-360.0, 360.0);
+  angle_->setKeyboardTracking(false);
+  angle_->setLocale(QLocale::c());
+  angle_->setSuffix(QStringLiteral("°"));
+  angle_->setToolTip(tr("Direction from the curve to the viewer"));
+  angle_->setAccessibleName(tr("View angle"));
+  connect(angle_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
+    ViewTurner(models_.document, models_.stage).turnTo(degrees);
+    showAngle();
+  });
+  speed_ = new QDoubleSpinBox(this);
+  speed_->setObjectName("sweep.speed");
+  speed_->setDecimals(0);
+  speed_->setRange(kSlowest, kFastest);
+  speed_->setSingleStep(10.0);
+  speed_->setValue(player_.speed());
+  speed_->setSuffix(tr("°/s"));
+  speed_->setToolTip(tr("How fast the view turns when played"));
+  speed_->setAccessibleName(tr("Speed"));
+  connect(speed_, &QDoubleSpinBox::valueChanged, &player_, &ViewPlayer::setSpeed);
+
+  auto* row = new QHBoxLayout;
+  row->setSpacing(3);
+  QToolButton* previous =
+      addTool("sweep.previous", QStringLiteral("◂"),
+              tr("Turn to the previous event of an apparent ridge (Ctrl+Left)"));
+  QToolButton* next = addTool("sweep.next", QStringLiteral("▸"),
+                              tr("Turn to the next event of an apparent ridge (Ctrl+Right)"));
+  connect(previous, &QToolButton::clicked, this, [this] { view_->goToEvent(-1); });
+  connect(next, &QToolButton::clicked, this, [this] { view_->goToEvent(1); });
+  play_ = addTool("sweep.play", tr("Play"),
+                  tr("Turn the view once around (Space); Esc returns to the view before"));
+  connect(play_, &QToolButton::clicked, this, &SweepPanel::togglePlay);
+  QToolButton* all = addTool("sweep.all", tr("All"), tr("Show the whole diagram (F)"));
+  connect(all, &QToolButton::clicked, view_, &SweepView::showAll);
+  export_ = addTool("sweep.export", tr("Export…"),
+                    tr("Write the diagram as SVG, PDF, PNG, TikZ or as a CSV table"));
+  connect(export_, &QToolButton::clicked, this, &SweepPanel::exportDiagram);
+  for (QWidget* widget : std::initializer_list<QWidget*>{previous, angle_, next, play_, speed_}) {
+    row->addWidget(widget);
+  }
+  row->addStretch(1);
+  row->addWidget(all);
+  row->addWidget(export_);
+  return row;
+}
+
+void SweepPanel::showEvent(QShowEvent* event) {
+  source_.setActive(true);
+  QWidget::showEvent(event);
+}
+
+void SweepPanel::hideEvent(QHideEvent* event) {
+  player_.pause();
+  source_.setActive(false);
+  QWidget::hideEvent(event);
+}
+
+void SweepPanel::togglePlay() {
+  if (player_.isPlaying()) {
+    player_.pause();
+  } else {
+    player_.play();
+    view_->setFocus();
+  }
+}
+
+void SweepPanel::showAngle() {
+  const QSignalBlocker silent(angle_);  // what is merely shown must not come back as an edit
+  angle_->setValue(normalizedDeg(models_.document.scene().view.angleDeg));
+}
+
+void SweepPanel::showState() {
+  export_->setEnabled(source_.data() != nullptr);
+  QStringList parts;
+  if (source_.isStale()) parts << tr("Updating…");
+  if (models_.document.scene().view.distance) {
+    parts << tr("Shown for a viewer infinitely far away, not for this perspective");
+  }
+  if (!hovered_.isEmpty()) parts << hovered_;
+  if (parts.isEmpty() && source_.data()) {
+    const Sweep& sweep = source_.data()->sweep;
+    const auto folds =
+        std::count_if(sweep.events.begin(), sweep.events.end(),
+                      [](const SweepEvent& e) { return e.what == SweepEvent::What::Fold; });
+    parts << tr("%n births or merges in half a turn", nullptr, static_cast<int>(folds));
+    parts << (sweep.complete ? tr("certified") : tr("not certified"));
+  }
+  state_->setText(parts.join(tr(" · ")));
+  state_->setToolTip(state_->text());
+}
+
+void SweepPanel::exportDiagram() {
+  const SweepData& shown = *source_.data();
+  const QString text =
+      exportFigureFile(this, {.suggestedName = tr("sweep"),
+                              .title = "Flatland, view sweep",
+                              .sceneJson = sceneToJson(shown.scene),
+                              .figure = [this] { return view_->figureForFile(); },
+                              .table = [&shown] { return sweepToCsv(shown.sweep); }});
+  if (!text.isEmpty()) emit said(text);
+}
+
+}  // namespace flatland::ui
