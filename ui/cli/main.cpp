@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   addWindowCommand(app, action);
   addFeaturesCommand(app, action);
   addDrawCommand(app, action, shellLine(argc, argv));
+  addProfileCommand(app, action);
   addSweepCommand(app, action, shellLine(argc, argv));
   addStudyCommand(app, action);
   addShotCommand(app, action);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flatland/io/atomic_file.h"
+#include "flatland/io/profile_text.h"
+#include "ui/cli/command_line.h"
+#include "ui/cli/scene_argument.h"
+
+namespace flatland::ui {
+
+namespace {
+
+struct Options {
+  std::string scene;
+  std::optional<double> viewAngleDeg;
+  std::optional<int> curve;
+  std::string output;
+};
+
+int run(const Options& options) {
+  Scene scene = sceneFromArgument(options.scene);
+  if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
+  const int count = static_cast<int>(scene.curves.size());
+  if (options.curve && *options.curve >= count) {
+    throw UsageError("--curve " + std::to_string(*options.curve) + ": the scene has " +
+                     std::to_string(count) + (count == 1 ? " curve" : " curves") +
+                     ", counted from 0");
+  }
+  const FeatureSet features = findFeatures(scene);
+  std::vector<Profile> profiles;
+  for (int i = 0; i < count; ++i) {
+    if (!options.curve || *options.curve == i) profiles.push_back(profileOf(scene, features, i));
+  }
+  const std::string text = profileToCsv(profiles);
+  if (options.output.empty()) {
+    writeToStandardOutput(text);
+  } else {
+    writeFileAtomically(options.output, text);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void addProfileCommand(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand(
+      "profile",
+      "Tabulate curvature, view-dependent curvature and the terms of the apparent-ridge equation\n"
+      "along each curve, as CSV. Samples are dense where a quantity bends or grows without bound,\n"
+      "and every mark is one. A new segment begins where something breaks.");
+  command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
+  addViewAngle(command, options->viewAngleDeg);
+  command.add_option("--curve", options->curve, "Only this curve, from 0 [all]")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber.description(""));
+  command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
+      ->type_name("FILE");
+  command.footer(
+      "Examples:\n"
+      "  flatland profile scene.json -o profile.csv\n"
+      "  flatland profile preset:thesis --view-angle 30 > profile.csv\n");
+  command.final_callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace flatland::ui
