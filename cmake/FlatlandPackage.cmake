@@ -28,7 +28,7 @@ them as SVG, PDF, PNG and TikZ.")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libflatland-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), nlohmann-json3-dev (>= 3.10)")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), nlohmann-json3-dev (>= 3.10), libpugixml-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
     "Headers, static library and CMake package of Flatland's mathematics: curves, certified roots of\n\
 Bernstein polynomials, features of a curve under a view. No Qt.")

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "flatland/io/scene_json.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/json_text.h"
 #include "flatland/io/number_text.h"
+#include "flatland/io/read_text.h"
 
 namespace flatland {
 
@@ -256,30 +252,6 @@ std::string curveText(const SceneCurve& curve, const std::string& path) {
   return text + "\n    }";
 }
 
-[[noreturn]] void failToRead(const std::string& source, int error) {
-  throw InputError(source, "", "cannot be read: " + std::generic_category().message(error));
-}
-
-/// All that is there to read, or just more than a scene may have.
-std::string readAll(int descriptor, const std::string& source) {
-  std::string text;
-  std::string block(std::size_t{1} << 16U, '\0');
-  while (text.size() <= kLargestSceneBytes) {
-    const ssize_t count = ::read(descriptor, block.data(), block.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) failToRead(source, errno);
-    if (count == 0) break;
-    text.append(block, 0, static_cast<std::size_t>(count));
-  }
-  return text;
-}
-
-/// Closes at the end of the block, also when reading throws.
-struct InputFile {
-  int descriptor;
-  ~InputFile() { ::close(descriptor); }
-};
-
 }  // namespace
 
 Scene sceneFromJson(const std::string& text, const std::string& source) {
@@ -315,16 +287,11 @@ std::string sceneToJson(const Scene& scene) {
 }
 
 Scene loadScene(const std::filesystem::path& file) {
-  const std::string source = file.string();
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) failToRead(source, errno);
-  const InputFile input{descriptor};
-  return sceneFromJson(readAll(input.descriptor, source), source);
+  return sceneFromJson(readFile(file, kLargestSceneBytes), file.string());
 }
 
 Scene loadSceneFromStandardInput() {
-  const std::string source = "standard input";
-  return sceneFromJson(readAll(STDIN_FILENO, source), source);
+  return sceneFromJson(readStandardInput(kLargestSceneBytes), "standard input");
 }
 
 void saveScene(const Scene& scene, const std::filesystem::path& file) {

@@ -29,6 +29,7 @@ void addDrawCommand(CLI::App& app, Action& action, const std::string& commandLin
 void addShotCommand(CLI::App& app, Action& action);
 void addPresetsCommand(CLI::App& app, Action& action);
 void addProfileCommand(CLI::App& app, Action& action);
+void addImportCommand(CLI::App& app, Action& action);
 void addSweepCommand(CLI::App& app, Action& action, const std::string& commandLine);
 void addStudyCommand(CLI::App& app, Action& action);
 void addWindowCommand(CLI::App& app, Action& action);

@@ -28,6 +28,7 @@ void describe(CLI::App& app) {
       "  flatland draw preset:thesis -o fig.svg    a picture (also .pdf, .png, .tex)\n"
       "  flatland sweep preset:thesis -o sweep.svg the marks for every view direction\n"
       "  flatland study offset                     how large the offset term is\n"
+      "  flatland import drawing.svg -o scene.json a scene from the outlines of a drawing\n"
       "  flatland SUBCOMMAND --help                more on each\n"
       "\n"
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 internal error.\n");
@@ -49,6 +50,7 @@ int run(int argc, char** argv) {
   addStudyCommand(app, action);
   addShotCommand(app, action);
   addPresetsCommand(app, action);
+  addImportCommand(app, action);
   app.require_subcommand(0, 1);
   try {
     app.parse(argc, argv);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cli/scene_argument.h"
 
+#include <cstdio>
 #include <string_view>
 
 #include "flatland/io/scene_json.h"
@@ -18,7 +19,18 @@ bool namesPreset(const std::string& argument) { return argument.rfind(kPresetPre
 Scene sceneFromArgument(const std::string& argument) {
   if (namesPreset(argument)) return presetNamed(argument.substr(kPresetPrefix.size())).scene;
   if (argument == "-") return loadSceneFromStandardInput();
-  return loadScene(argument);
+  if (!isSvgName(argument)) return loadScene(argument);
+  ImportedScene imported = importFromArgument(argument, {});
+  noteOnStandardError(argument, imported);
+  return std::move(imported.scene);
+}
+
+ImportedScene importFromArgument(const std::string& argument, const SvgOptions& options) {
+  return loadSvg(argument, options);
+}
+
+void noteOnStandardError(const std::string& argument, const ImportedScene& imported) {
+  std::fprintf(stderr, "flatland: %s: %s\n", argument.c_str(), imported.note().c_str());
 }
 
 bool namesFile(const std::string& argument) { return argument != "-" && !namesPreset(argument); }

@@ -3,16 +3,25 @@
 
 #include <string>
 
+#include "flatland/io/svg_file.h"
 #include "flatland/scene/scene.h"
 
 namespace flatland::ui {
 
 /// What SCENE means, for the help texts.
-inline constexpr const char* kSceneHelp = "Scene file, - for standard input, or preset:NAME";
+inline constexpr const char* kSceneHelp =
+    "Scene file, SVG file (.svg), - for standard input, or preset:NAME";
 
-/// The scene an argument names: a file, "-" for standard input, or "preset:" and a preset's id.
+/// The scene an argument names: a file, "-" for standard input, or "preset:" and a preset's id. A
+/// name that ends in .svg is imported; what was done and left out is said on standard error.
 /// Throws InputError.
 Scene sceneFromArgument(const std::string& argument);
+
+/// The scene made from an SVG file. Throws InputError.
+ImportedScene importFromArgument(const std::string& argument, const SvgOptions& options);
+
+/// "flatland: FILE: what was done; what was left out", one line.
+void noteOnStandardError(const std::string& argument, const ImportedScene& imported);
 
 /// True if the argument names a file.
 bool namesFile(const std::string& argument);
