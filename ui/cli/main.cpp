@@ -29,6 +29,7 @@ void describe(CLI::App& app) {
       "  flatland sweep preset:thesis -o sweep.svg the marks for every view direction\n"
       "  flatland study offset                     how large the offset term is\n"
       "  flatland import drawing.svg -o scene.json a scene from the outlines of a drawing\n"
+      "  flatland derivation preset:thesis         the derivation, checked at a place\n"
       "  flatland SUBCOMMAND --help                more on each\n"
       "\n"
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 internal error.\n");
@@ -48,6 +49,7 @@ int run(int argc, char** argv) {
   addProfileCommand(app, action);
   addSweepCommand(app, action, shellLine(argc, argv));
   addStudyCommand(app, action);
+  addDerivationCommand(app, action);
   addShotCommand(app, action);
   addPresetsCommand(app, action);
   addImportCommand(app, action);
