@@ -14,33 +14,70 @@ std::string field(const char* key, const std::string& value) {
   return "  \"" + std::string(key) + "\": " + value + ",\n";
 }
 
-std::string quartiles(double lower, double median, double upper) {
-  return "{\"lowerQuartile\": " + numberText(lower) + ", \"median\": " + numberText(median) +
-         ", \"upperQuartile\": " + numberText(upper) + "}";
+std::string quartiles(const Quartiles& q) {
+  return "{\"lowerQuartile\": " + numberText(q.lower) + ", \"median\": " + numberText(q.median) +
+         ", \"upperQuartile\": " + numberText(q.upper) + "}";
 }
 
-std::string binEdge(std::size_t bin) {
-  return numberText(std::pow(10.0, static_cast<double>(bin) / kRatioBinsPerDecade - kRatioDecades));
+// The outer bins hold all that lies beyond them.
+std::string histogram(const RatioHistogram& shares) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (!(shares[i] > 0.0)) continue;
+    text += text.size() == 1 ? "\n    " : ",\n    ";
+    text += "{\"from\": " + (i == 0 ? "0" : numberText(ratioBinStart(i))) +
+            ", \"to\": " + (i + 1 == shares.size() ? "null" : numberText(ratioBinStart(i + 1))) +
+            ", \"share\": " + numberText(shares[i]) + "}";
+  }
+  return text + (text.size() == 1 ? "]" : "\n  ]");
+}
+
+std::string distance(const PooledDistance& d) {
+  return "{\"count\": " + std::to_string(d.count) +
+         ", \"lowerQuartile\": " + numberText(d.quartiles.lower) +
+         ", \"median\": " + numberText(d.quartiles.median) +
+         ", \"upperQuartile\": " + numberText(d.quartiles.upper) +
+         ", \"percentile90\": " + numberText(d.percentile90) + "}";
+}
+
+// The median of a few numbers; of an even count the lower one of the middle two, so that it is one
+// of them.
+double middleOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace
 
 std::string offsetCsvHeader() {
-  return "index,length,ratioLowerQuartile,ratioMedian,ratioUpperQuartile,apparentRidges,extrema,"
-         "births,deaths,displacementMax,complete\r\n";
+  return "index,length,ratioPercentile5,ratioLowerQuartile,ratioMedian,ratioUpperQuartile,"
+         "ratioPercentile95,medianArcLength,medianParameter,medianUnnormalised,apparentRidges,"
+         "extrema,births,deaths,displacementMedian,displacementMax,nearestMedian,nearestMax,"
+         "complete\r\n";
 }
 
-std::string offsetCsvRow(const CurveOffsets& curve) {
-  const std::string largest =
-      curve.displacements.empty()
-          ? ""
-          : numberText(*std::max_element(curve.displacements.begin(), curve.displacements.end()));
-  const auto ratio = [](double value) { return std::isfinite(value) ? numberText(value) : "inf"; };
-  return std::to_string(curve.index) + ',' + numberText(curve.length) + ',' +
-         ratio(curve.lowerQuartile) + ',' + ratio(curve.median) + ',' + ratio(curve.upperQuartile) +
-         ',' + std::to_string(curve.apparentRidges) + ',' + std::to_string(curve.extrema) + ',' +
-         std::to_string(curve.births) + ',' + std::to_string(curve.deaths) + ',' + largest + ',' +
-         (curve.complete ? "true" : "false") + "\r\n";
+std::string offsetCsvRow(const CurveOffsets& curve, TermConvention convention) {
+  std::string row = std::to_string(curve.index) + ',' + numberText(curve.length);
+  const auto ratio = [&row](double value) {
+    row += ',' + (std::isfinite(value) ? numberText(value) : "inf");
+  };
+  const RatioDistribution& own = curve.ratio(convention);
+  for (const double value :
+       {own.percentile5, own.lowerQuartile, own.median, own.upperQuartile, own.percentile95}) {
+    ratio(value);
+  }
+  for (const RatioDistribution& each : curve.ratios) ratio(each.median);
+  for (const int count : {curve.apparentRidges, curve.extrema, curve.births, curve.deaths}) {
+    row += ',' + std::to_string(count);
+  }
+  for (const std::vector<double>* distances : {&curve.displacements, &curve.nearest}) {
+    row += distances->empty()
+               ? ",,"
+               : ',' + numberText(middleOf(*distances)) + ',' +
+                     numberText(*std::max_element(distances->begin(), distances->end()));
+  }
+  return row + (curve.complete ? ",true" : ",false") + "\r\n";
 }
 
 std::string offsetSummaryToJson(const OffsetSummary& summary, const OffsetStudyOptions& options) {
@@ -52,29 +89,25 @@ std::string offsetSummaryToJson(const OffsetSummary& summary, const OffsetStudyO
                                std::string(nameOf(options.convention)) + "\"}");
   text += field("curves", std::to_string(summary.curves));
   text += field("incompleteCurves", std::to_string(summary.incomplete));
-  text += field("medianPerCurve", quartiles(summary.medianLowerQuartile, summary.medianMedian,
-                                            summary.medianUpperQuartile));
-  text += field("pooledRatio", quartiles(summary.pooledLowerQuartile, summary.pooledMedian,
-                                         summary.pooledUpperQuartile));
+  const PooledRatio& ratio = summary.ratio(options.convention);
+  text += field("medianPerCurve", quartiles(ratio.perCurve));
+  text += field("pooledRatio", quartiles(ratio.pooled));
+  std::string conventions = "{";
+  for (std::size_t c = 0; c < summary.ratios.size(); ++c) {
+    const auto convention = static_cast<TermConvention>(c);
+    conventions += (c == 0 ? "\n    \"" : ",\n    \"") + std::string(nameOf(convention)) +
+                   "\": " + quartiles(summary.ratio(convention).perCurve);
+  }
+  text += field("conventions", conventions + "\n  }");
   text += field("apparentRidges", std::to_string(summary.apparentRidges));
   text += field("extrema", std::to_string(summary.extrema));
   text += field("births", std::to_string(summary.births));
   text += field("deaths", std::to_string(summary.deaths));
-  text +=
-      field("displacement", "{\"median\": " + numberText(summary.displacementMedian) +
-                                ", \"percentile90\": " + numberText(summary.displacement90) + "}");
-  text += "  \"histogram\": [";
-  bool first = true;
-  for (std::size_t i = 0; i < summary.histogram.size(); ++i) {
-    if (!(summary.histogram[i] > 0.0)) continue;
-    text += first ? "\n    " : ",\n    ";
-    first = false;
-    // The outer bins hold all that lies beyond them.
-    text += "{\"from\": " + (i == 0 ? "0" : binEdge(i)) +
-            ", \"to\": " + (i + 1 == summary.histogram.size() ? "null" : binEdge(i + 1)) +
-            ", \"share\": " + numberText(summary.histogram[i]) + "}";
-  }
-  return text + (first ? "]" : "\n  ]") + "\n}\n";
+  text += field("displacement", distance(summary.displacement));
+  text += field("nearestExtremum", distance(summary.nearest));
+  text += field("displacementHistogram", histogram(summary.displacement.histogram));
+  text += field("nearestHistogram", histogram(summary.nearest.histogram));
+  return text + "  \"histogram\": " + histogram(ratio.histogram) + "\n}\n";
 }
 
 }  // namespace flatland

@@ -10,10 +10,10 @@ namespace flatland {
 /// One line of the per-curve table, and its header. Columns in docs/user/command-line.md. Lines end
 /// with CR LF (RFC 4180); a line without its end was interrupted.
 std::string offsetCsvHeader();
-std::string offsetCsvRow(const CurveOffsets& curve);
+std::string offsetCsvRow(const CurveOffsets& curve, TermConvention convention);
 
-/// The summary as JSON with its options: {"flatland": 1, "study": "offset", "options": {...},
-/// "curves": N, ..., "histogram": [{"from", "to", "share"}, ...]}; empty bins are left out.
+/// The summary as JSON with its options; keys in docs/user/command-line.md. Empty bins of
+/// histograms are left out.
 std::string offsetSummaryToJson(const OffsetSummary& summary, const OffsetStudyOptions& options);
 
 }  // namespace flatland

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <condition_variable>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -53,10 +54,18 @@ double quantile(std::vector<float> values, double share) {
   return *middle;
 }
 
-std::size_t binOf(double ratio) {
-  if (!(ratio > 0.0)) return 0;
-  const double bin = std::floor((std::log10(ratio) + kRatioDecades) * kRatioBinsPerDecade);
-  return static_cast<std::size_t>(std::clamp(bin, 0.0, kRatioBins - 1.0));
+Quartiles quartilesOf(const std::vector<float>& values) {
+  return {quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)};
+}
+
+// A bin stands for its middle: within 12 % of every value in it.
+Quartiles quartilesOf(const RatioHistogram& histogram) {
+  std::vector<Weighted> bins;
+  for (std::size_t i = 0; i < histogram.size(); ++i) {
+    const double decade = (static_cast<double>(i) + 0.5) / kRatioBinsPerDecade - kRatioDecades;
+    bins.push_back({std::pow(10.0, decade), histogram[i]});
+  }
+  return {quantile(bins, 1.0, 0.25), quantile(bins, 1.0, 0.5), quantile(bins, 1.0, 0.75)};
 }
 
 // |offset| / |feature| with the common factor k divided out, so that inflections are no 0 / 0.
@@ -74,28 +83,40 @@ double ratioAt(const Terms& terms, double speed, TermConvention convention) {
   return 0.0;
 }
 
-void measureRatios(CurveOffsets& result, const Bezier& curve, TermConvention convention) {
+RatioDistribution distributionOf(std::vector<Weighted> ratios, double total) {
+  std::sort(ratios.begin(), ratios.end(),
+            [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+  RatioDistribution result{};
+  result.percentile5 = quantile(ratios, total, 0.05);
+  result.lowerQuartile = quantile(ratios, total, 0.25);
+  result.median = quantile(ratios, total, 0.5);
+  result.upperQuartile = quantile(ratios, total, 0.75);
+  result.percentile95 = quantile(ratios, total, 0.95);
+  if (!(total > 0.0)) return result;
+  for (const Weighted& w : ratios) {
+    result.histogram[ratioBin(w.value)] += static_cast<float>(w.weight / total);
+  }
+  return result;
+}
+
+void measureRatios(CurveOffsets& result, const Bezier& curve) {
   const ViewFrame frame = frameOf(kStudyView);
-  std::vector<Weighted> ratios;
-  ratios.reserve(kSamples);
+  std::array<std::vector<Weighted>, kTermConventions> ratios;
   double total = 0.0;
   for (int i = 0; i < kSamples; ++i) {
     const Jet jet = jetAt(curve, (i + 0.5) / kSamples);
     const double speed = jet.d1.norm();
     if (!(speed > 0.0)) continue;
-    const double ratio = ratioAt(termsAt(jet, frame, 1), speed, convention);
-    if (std::isnan(ratio)) continue;  // both terms exactly zero: nothing to compare
-    ratios.push_back({ratio, speed});
+    const Terms terms = termsAt(jet, frame, 1);
+    // Both terms exactly zero, under any convention: nothing to compare.
+    if (std::isnan(ratioAt(terms, speed, TermConvention::ArcLength))) continue;
+    for (std::size_t c = 0; c < ratios.size(); ++c) {
+      ratios[c].push_back({ratioAt(terms, speed, static_cast<TermConvention>(c)), speed});
+    }
     total += speed;
   }
-  std::sort(ratios.begin(), ratios.end(),
-            [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
-  result.lowerQuartile = quantile(ratios, total, 0.25);
-  result.median = quantile(ratios, total, 0.5);
-  result.upperQuartile = quantile(ratios, total, 0.75);
-  if (!(total > 0.0)) return;
-  for (const Weighted& w : ratios) {
-    result.histogram[binOf(w.value)] += static_cast<float>(w.weight / total);
+  for (std::size_t c = 0; c < ratios.size(); ++c) {
+    result.ratios[c] = distributionOf(std::move(ratios[c]), total);
   }
 }
 
@@ -128,6 +149,12 @@ void pairMarks(CurveOffsets& result, const std::vector<Mark>& marks) {
     if (isExtremum(mark.kind)) ++result.extrema;
     if (!isRidgeSeen(mark.kind)) continue;
     ++result.apparentRidges;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Mark& other : marks) {
+      if (isExtremum(other.kind))
+        nearest = std::min(nearest, std::abs(*mark.screen - *other.screen));
+    }
+    if (std::isfinite(nearest)) result.nearest.push_back(nearest / result.length);
     const Mark* partner = nearestOnStretch(marks, mark, isExtremum);
     if (partner && nearestOnStretch(marks, *partner, isRidgeSeen) == &mark) {
       result.displacements.push_back(std::abs(*mark.screen - *partner->screen) / result.length);
@@ -148,6 +175,28 @@ std::optional<TermConvention> termConventionNamed(std::string_view name) {
   const auto found = std::find(kConventionNames.begin(), kConventionNames.end(), name);
   if (found == kConventionNames.end()) return std::nullopt;
   return static_cast<TermConvention>(found - kConventionNames.begin());
+}
+
+double scaleFactor(TermConvention convention, double scale) {
+  switch (convention) {
+    case TermConvention::ArcLength:
+      return 1.0;
+    case TermConvention::Parameter:
+      return 1.0 / scale;
+    case TermConvention::Unnormalised:
+      return 1.0 / (scale * scale);
+  }
+  return 1.0;
+}
+
+std::size_t ratioBin(double value) {
+  if (!(value > 0.0)) return 0;
+  const double bin = std::floor((std::log10(value) + kRatioDecades) * kRatioBinsPerDecade);
+  return static_cast<std::size_t>(std::clamp(bin, 0.0, kRatioBins - 1.0));
+}
+
+double ratioBinStart(std::size_t bin) {
+  return std::pow(10.0, static_cast<double>(bin) / kRatioBinsPerDecade - kRatioDecades);
 }
 
 std::optional<std::string> OffsetStudyOptions::whyInvalid() const {
@@ -178,7 +227,7 @@ CurveOffsets measureOffsets(const OffsetStudyOptions& options, std::int64_t inde
   result.index = index;
   result.length = arcLength(curve, 0.0, 1.0, 1e-10 * options.scale).value;
   result.complete = features.complete();
-  measureRatios(result, curve, options.convention);
+  measureRatios(result, curve);
   pairMarks(result, features.marks);
   return result;
 }
@@ -190,30 +239,47 @@ void OffsetCollector::add(const CurveOffsets& curve) {
   totals_.extrema += curve.extrema;
   totals_.births += curve.births;
   totals_.deaths += curve.deaths;
-  for (std::size_t i = 0; i < curve.histogram.size(); ++i)
-    totals_.histogram[i] += curve.histogram[i];
-  medians_.push_back(static_cast<float>(curve.median));
-  for (const double d : curve.displacements) displacements_.push_back(static_cast<float>(d));
+  for (std::size_t c = 0; c < curve.ratios.size(); ++c) {
+    medians_[c].push_back(static_cast<float>(curve.ratios[c].median));
+    for (std::size_t i = 0; i < kRatioBins; ++i) {
+      totals_.ratios[c].histogram[i] += curve.ratios[c].histogram[i];
+    }
+  }
+  const auto& shares = curve.ratio(convention_).histogram;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    OffsetExample& example = totals_.ratioExamples[i];
+    if (shares[i] > example.share) example = {curve.index, shares[i]};
+  }
+  for (const double d : curve.displacements) {
+    displacements_.push_back(static_cast<float>(d));
+    const std::size_t bin = ratioBin(d);
+    totals_.displacement.histogram[bin] += 1.0;
+    OffsetExample& example = totals_.displacementExamples[bin];
+    if (example.index < 0) example = {curve.index, 0.0};
+  }
+  for (const double d : curve.nearest) {
+    nearest_.push_back(static_cast<float>(d));
+    totals_.nearest.histogram[ratioBin(d)] += 1.0;
+  }
 }
 
 OffsetSummary OffsetCollector::summary() const {
   OffsetSummary result = totals_;
   if (result.curves == 0) return result;
-  result.medianLowerQuartile = quantile(medians_, 0.25);
-  result.medianMedian = quantile(medians_, 0.5);
-  result.medianUpperQuartile = quantile(medians_, 0.75);
-  result.displacementMedian = quantile(displacements_, 0.5);
-  result.displacement90 = quantile(displacements_, 0.9);
-  std::vector<Weighted> bins;
-  for (std::size_t i = 0; i < result.histogram.size(); ++i) {
-    result.histogram[i] /= static_cast<double>(result.curves);
-    // A bin stands for its middle: within 12 % of every value in it.
-    const double decade = (static_cast<double>(i) + 0.5) / kRatioBinsPerDecade - kRatioDecades;
-    bins.push_back({std::pow(10.0, decade), result.histogram[i]});
+  for (std::size_t c = 0; c < medians_.size(); ++c) {
+    PooledRatio& ratio = result.ratios[c];
+    ratio.perCurve = quartilesOf(medians_[c]);
+    for (double& share : ratio.histogram) share /= static_cast<double>(result.curves);
+    ratio.pooled = quartilesOf(ratio.histogram);
   }
-  result.pooledLowerQuartile = quantile(bins, 1.0, 0.25);
-  result.pooledMedian = quantile(bins, 1.0, 0.5);
-  result.pooledUpperQuartile = quantile(bins, 1.0, 0.75);
+  const auto distances = [](PooledDistance& to, const std::vector<float>& values) {
+    to.count = static_cast<std::int64_t>(values.size());
+    to.quartiles = quartilesOf(values);
+    to.percentile90 = quantile(values, 0.9);
+    for (double& share : to.histogram) share /= std::max<double>(1.0, double(values.size()));
+  };
+  distances(result.displacement, displacements_);
+  distances(result.nearest, nearest_);
   return result;
 }
 

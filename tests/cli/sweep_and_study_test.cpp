@@ -2,6 +2,8 @@
 // flatland sweep and flatland study, from the outside.
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -74,6 +76,47 @@ TEST(StudyCommand, SummaryHasTheOrderOfMagnitude) {
   double share = 0.0;
   for (const json& bin : summary["histogram"]) share += bin["share"].get<double>();
   EXPECT_NEAR(share, 1.0, 1e-4);
+  for (const char* key : {"displacementHistogram", "nearestHistogram"}) {
+    share = 0.0;
+    for (const json& bin : summary[key]) share += bin["share"].get<double>();
+    EXPECT_NEAR(share, 1.0, 1e-9) << key;
+  }
+  EXPECT_EQ(summary["nearestExtremum"]["count"], summary["apparentRidges"]);
+  EXPECT_EQ(summary["displacement"]["count"].get<int>(),
+            summary["apparentRidges"].get<int>() - summary["births"].get<int>());
+  EXPECT_EQ(summary["conventions"]["arc-length"], summary["medianPerCurve"]);
+}
+
+// 0.21 as derived; with the derivative by t and the normal left as long as the derivative, on a
+// curve of 100 pixels, a hundred-thousandth.
+TEST(StudyCommand, SaysWhatMixingUnitsDoes) {
+  const auto conventions = [](const char* scale) {
+    const ProgramResult result = run({"study", "offset", "--curves", "400", "--scale", scale});
+    return json::parse(result.out)["conventions"];
+  };
+  const json unit = conventions("1"), pixels = conventions("100");
+  const auto median = [](const json& of, const char* name) {
+    return of[name]["median"].get<double>();
+  };
+  EXPECT_NEAR(median(pixels, "arc-length") / median(unit, "arc-length"), 1.0, 1e-6);
+  EXPECT_NEAR(median(pixels, "parameter") / median(unit, "parameter"), 1e-2, 1e-8);
+  EXPECT_NEAR(median(pixels, "unnormalised") / median(unit, "unnormalised"), 1e-4, 1e-10);
+  EXPECT_LT(median(pixels, "unnormalised"), 3e-5);
+}
+
+TEST(StudyCommand, TheSuffixSaysTheFormat) {
+  const TemporaryFolder folder;
+  const std::string csv = folder.path() / "study.csv", other = folder.path() / "study.txt";
+  ASSERT_EQ(run({"study", "offset", "--curves", "3", "-o", csv}).exitCode, 0);
+  EXPECT_EQ(contentsOf(csv).rfind("index,length,", 0), 0u);
+  ASSERT_EQ(run({"study", "offset", "--curves", "3", "-o", other}).exitCode, 0);
+  EXPECT_EQ(json::parse(contentsOf(other))["curves"], 3);
+  // Said, it is as said.
+  const std::string said = folder.path() / "said.csv";
+  ASSERT_EQ(run({"study", "offset", "--curves", "3", "--format", "json", "-o", said}).exitCode, 0);
+  EXPECT_EQ(json::parse(contentsOf(said))["curves"], 3);
+  EXPECT_EQ(run({"study", "offset", "--curves", "5", "-o", csv, "--resume"}).exitCode, 0);
+  EXPECT_EQ(countOf(contentsOf(csv), "\n"), 6u);
 }
 
 std::vector<std::string> table(const std::string& file, const std::string& curves,
@@ -98,6 +141,31 @@ TEST(StudyCommand, ResumedTableEqualsOneWrittenAtOnce) {
     EXPECT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(contentsOf(parts), all) << "kept " << kept;
   }
+}
+
+// A run that is killed in the middle has written whole rows, which the next one keeps.
+TEST(StudyCommand, AKilledRunLosesNothingThatWasWritten) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "killed.csv", whole = folder.path() / "whole.csv";
+  const auto sizeOf = [&] {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(file, error);
+    return error ? std::uintmax_t{0} : size;
+  };
+  const ProgramResult killed = test::runProgram(
+      FLATLAND_PROGRAM,
+      {.arguments = table(file, "1000000"), .killWhen = [&] { return sizeOf() > 50000; }});
+  EXPECT_EQ(killed.exitCode, -SIGKILL);
+  const std::string kept = contentsOf(file);
+  const std::size_t rows = countOf(kept, "\n") - 1;
+  ASSERT_GT(rows, 100u);
+  ASSERT_LT(rows, 100000u);
+  const std::string more = std::to_string(rows + 100);
+  ASSERT_EQ(run(table(file, more, {"--resume"})).exitCode, 0);
+  ASSERT_EQ(run(table(whole, more)).exitCode, 0);
+  const std::string all = contentsOf(whole);
+  EXPECT_TRUE(contentsOf(file) == all);
+  EXPECT_TRUE(all.starts_with(kept.substr(0, kept.rfind('\n') + 1)));
 }
 
 TEST(StudyCommand, NeverOverwritesNorContinuesAnotherStudy) {

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -34,6 +35,8 @@ struct ProgramRun {
   std::map<std::string, std::optional<std::string>> environment = {};  ///< set, or removed
   std::optional<std::string> standardOutput = {};    ///< a file to write to instead of catching
   std::optional<std::filesystem::path> folder = {};  ///< current folder
+  /// The program is killed (SIGKILL) once this says so; asked every 2 ms.
+  std::function<bool()> killWhen = {};
 };
 
 /// What came of it.
@@ -82,7 +85,7 @@ inline ProgramResult runProgram(const std::string& program, const ProgramRun& ru
   int status = 0;
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (std::chrono::steady_clock::now() > end) {
+    if (std::chrono::steady_clock::now() > end || (run.killWhen && run.killWhen())) {
       ::kill(child, SIGKILL);
       ::waitpid(child, &status, 0);
       break;

@@ -3,15 +3,15 @@
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <thread>
 
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
+#include "flatland/io/offset_table.h"
 #include "flatland/io/study_text.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/picture.h"
 
 namespace flatland::ui {
 
@@ -20,7 +20,7 @@ namespace {
 struct Options {
   OffsetStudyOptions study;
   std::string convention = "arc-length";
-  std::string format = "json";
+  std::string format;  // empty: by the suffix of the output
   std::string output;
   bool resume = false;
   int threads = 0;
@@ -50,79 +50,32 @@ class Progress {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// A per-curve table begun earlier: its complete rows, and where they end in the file.
-struct Begun {
-  std::int64_t rows = 0;
-  std::uintmax_t bytes = 0;
-};
-
-// Reads a table and checks that it is of this very study: its first and last rows must be what the
-// options give.
-Begun readBegun(const Options& options) {
-  std::ifstream file(options.output, std::ios::binary);
-  if (!file) throw InputError(options.output, "", "cannot be read, so there is nothing to resume");
-  const auto fail = [&](std::int64_t row) {
-    throw InputError(options.output, "line " + std::to_string(row + 2),
-                     "is not of this study: other options, or not a table of flatland");
-  };
-  Begun begun;
-  const std::string header = offsetCsvHeader();
-  std::string line, last;
-  std::string start(header.size(), '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(file.gcount()));
-  if (!header.starts_with(start)) {
-    throw InputError(options.output, "line 1", "is not a table of this study");
-  }
-  if (start != header) return begun;  // interrupted within the header
-  begun.bytes = header.size();
-  // A line without its end was being written when the run was interrupted.
-  while (std::getline(file, line) && !file.eof()) {
-    line += '\n';
-    if (begun.rows == 0 && line != offsetCsvRow(measureOffsets(options.study, 0))) fail(0);
-    begun.bytes += line.size();
-    ++begun.rows;
-    last = line;
-  }
-  if (begun.rows > 0 && last != offsetCsvRow(measureOffsets(options.study, begun.rows - 1))) {
-    fail(begun.rows - 1);
-  }
-  return begun;
-}
-
 void writeTable(const Options& options, int threads) {
-  Begun begun;
-  std::ofstream file;
-  if (!options.output.empty()) {
-    const bool exists = std::filesystem::exists(options.output);
-    if (exists && !options.resume) {
-      throw InputError(options.output, "",
-                       "exists already; --resume continues it, or remove it to start over");
-    }
-    if (exists) begun = readBegun(options);
-    if (exists) std::filesystem::resize_file(options.output, begun.bytes);
-    file.open(options.output, std::ios::binary | std::ios::app);
-    if (!file) throw InputError(options.output, "", "cannot be written");
-  }
-  std::ostream& out = options.output.empty() ? std::cout : file;
-  if (begun.bytes == 0) out << offsetCsvHeader();
   Progress progress(options.study.curves);
-  runOffsetStudy(options.study, begun.rows, threads, [&](const CurveOffsets& curve) {
-    out << offsetCsvRow(curve);
-    // Now and then onto the disk, so that an interrupted run has lost little.
-    if (curve.index % 256 == 0) out.flush();
-    progress.at(curve.index);
-    return static_cast<bool>(out);
-  });
-  out.flush();
-  if (!out) {
-    throw InputError(options.output.empty() ? "standard output" : options.output, "",
-                     "cannot be written to the end");
+  if (options.output.empty()) {
+    std::cout << offsetCsvHeader();
+    runOffsetStudy(options.study, 0, threads, [&](const CurveOffsets& curve) {
+      std::cout << offsetCsvRow(curve, options.study.convention);
+      progress.at(curve.index);
+      return static_cast<bool>(std::cout);
+    });
+    std::cout.flush();
+    if (!std::cout) throw InputError("standard output", "", "cannot be written to the end");
+    return;
   }
+  OffsetTable table(
+      options.output, options.study,
+      options.resume ? OffsetTable::Existing::Continue : OffsetTable::Existing::Refuse);
+  runOffsetStudy(options.study, table.rows(), threads, [&](const CurveOffsets& curve) {
+    table.add(curve);
+    progress.at(curve.index);
+    return true;
+  });
+  table.close();
 }
 
 std::string summaryText(const Options& options, int threads) {
-  OffsetCollector collector;
+  OffsetCollector collector(options.study.convention);
   Progress progress(options.study.curves);
   runOffsetStudy(options.study, 0, threads, [&](const CurveOffsets& curve) {
     collector.add(curve);
@@ -136,8 +89,11 @@ int run(Options options) {
   options.study.convention = *termConventionNamed(options.convention);
   if (const auto why = options.study.whyInvalid())
     throw UsageError(*why + " (see flatland study offset --help)");
+  if (options.format.empty()) {
+    options.format = extensionOf(options.output) == ".csv" ? "csv" : "json";
+  }
   if (options.resume && (options.format != "csv" || options.output.empty())) {
-    throw UsageError("--resume needs --format csv and -o FILE");
+    throw UsageError("--resume needs a table: -o FILE.csv, or --format csv and -o FILE");
   }
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = options.threads > 0 ? options.threads : std::max(1, cores);
@@ -180,7 +136,9 @@ void addStudyCommand(CLI::App& app, Action& action) {
           "as the derivative too. Only the first does not depend on --scale")
       ->type_name("NAME")
       ->check(CLI::IsMember({"arc-length", "parameter", "unnormalised"}).description(""));
-  command.add_option("--format", options->format, "json or csv [json]")
+  command
+      .add_option("--format", options->format,
+                  "json or csv [csv if the output's name ends in .csv, else json]")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"json", "csv"}).description(""));
   command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
@@ -193,8 +151,8 @@ void addStudyCommand(CLI::App& app, Action& action) {
       "Examples:\n"
       "  flatland study offset --curves 20000 --points 5 --seed 1\n"
       "  flatland study offset --scale 100 --convention unnormalised   the thesis's 1/100,000\n"
-      "  flatland study offset --curves 1000000 --format csv -o study.csv\n"
-      "  flatland study offset --curves 1000000 --format csv -o study.csv --resume\n");
+      "  flatland study offset --curves 1000000 -o study.csv\n"
+      "  flatland study offset --curves 1000000 -o study.csv --resume\n");
   command.final_callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
