@@ -8,6 +8,7 @@
 #include "ui/panels/marks_panel.h"
 #include "ui/panels/points_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/plot/study_panel.h"
 #include "ui/plot/sweep_panel.h"
 
 namespace flatland::ui {
@@ -32,6 +33,9 @@ void addPanels(Docks& docks, const CanvasModels& models, StatusLine& status) {
   auto* sweep = new SweepPanel(models);
   QObject::connect(sweep, &SweepPanel::said, &status, &StatusLine::say);
   docks.add("sweep", PanelsWords::tr("Sweep"), sweep, Group::Plots);
+  auto* study = new StudyPanel(models);
+  QObject::connect(study, &StudyPanel::said, &status, &StatusLine::say);
+  docks.add("study", PanelsWords::tr("Study"), study, Group::Plots);
   docks.add("marks", PanelsWords::tr("Marks"), new MarksPanel(models), Group::Bottom);
 }
 

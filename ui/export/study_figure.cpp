@@ -33,8 +33,7 @@ Decades decadesOf(StudyDiagram diagram) {
 
 double xOf(double decade, const StudyFigureOptions& options) {
   const Decades d = decadesOf(options.diagram);
-  return kLeftPx +
-         (decade - d.low) / (d.high - d.low) * (options.width - kLeftPx - kRightPx);
+  return kLeftPx + (decade - d.low) / (d.high - d.low) * (options.width - kLeftPx - kRightPx);
 }
 
 double decadeOf(double bin) { return bin / kRatioBinsPerDecade - kRatioDecades; }
@@ -140,15 +139,16 @@ class Builder {
       bar.lineTo({std::max(right, left + 0.4), row.bottom});
       bar.close();
       const bool selected = options_.selectedBin == i;
-      bars.shapes.emplace_back(PathShape{std::move(bar), selected ? strong_ : bars_,
-                                         selected ? std::optional(Stroke{.colour = colours_.text})
-                                                  : std::nullopt});
+      bars.shapes.emplace_back(
+          PathShape{std::move(bar), selected ? strong_ : bars_,
+                    selected ? std::optional(Stroke{.colour = colours_.text}) : std::nullopt});
     }
   }
 
   void addQuartiles(const Row& row, const Quartiles& quartiles, double factor, double textAt,
                     const std::string& before) {
-    FigureGroup& lines = group("quartiles-" + std::to_string(static_cast<int>(row.top)), "quartile");
+    FigureGroup& lines =
+        group("quartiles-" + std::to_string(static_cast<int>(row.top)), "quartile");
     if (!(quartiles.median > 0.0)) return;
     const Decades d = decadesOf(options_.diagram);
     const auto line = [&](double value, const Stroke& stroke) {

@@ -51,7 +51,8 @@ void StudySource::run(const OffsetStudyOptions& options) {
           if (clock.elapsed() >= next) {
             const qint64 before = clock.elapsed();
             control.deliver([show, now = Data(dataNow())] { show(now); });
-            next = clock.elapsed() + std::max(kShowEveryMs, kShowShare * (clock.elapsed() - before));
+            next =
+                clock.elapsed() + std::max(kShowEveryMs, kShowShare * (clock.elapsed() - before));
           }
           return !control.isCancelled();
         });
