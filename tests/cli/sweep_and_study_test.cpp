@@ -185,5 +185,38 @@ TEST(StudyCommand, RefusesOptionsThatMakeNoSense) {
   EXPECT_EQ(run({"study"}).exitCode, 2);
 }
 
+TEST(LimitsCommand, TellsPredictedAndFittedOrders) {
+  const ProgramResult result = run({"study", "limits", "preset:thesis", "--t", "0.4"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const json limits = json::parse(result.out)["experiments"];
+  ASSERT_EQ(limits.size(), 3u);
+  for (const json& experiment : limits) {
+    for (const json& law : experiment["laws"]) {
+      EXPECT_EQ(law["values"].size(), experiment["x"].size());
+      EXPECT_NEAR(law["fittedOrder"].get<double>(), law["predictedOrder"].get<double>(), 1e-3)
+          << experiment["experiment"] << ' ' << law["quantity"];
+    }
+  }
+  EXPECT_EQ(limits[1]["case"], "ordinary-silhouette");
+}
+
+TEST(LimitsCommand, WritesATableAndLeavesOutWhatTheCurveHasNot) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "limits.csv";
+  // A circle has no inflection to slide into.
+  ASSERT_EQ(run({"study", "limits", "preset:circle", "--t", "0.4", "-o", file}).exitCode, 0);
+  const std::string table = contentsOf(file);
+  EXPECT_EQ(table.rfind("experiment,case,quantity,x,value\r\n", 0), 0u);
+  EXPECT_GT(countOf(table, "\nturn,fixed-point,lambda,"), 50u);
+  EXPECT_GT(countOf(table, "\nwalk,ordinary-silhouette,ratio,"), 50u);
+  EXPECT_EQ(countOf(table, "slide"), 0u);
+}
+
+TEST(LimitsCommand, RefusesPlacesThatDoNotExist) {
+  EXPECT_EQ(run({"study", "limits", "preset:thesis", "--curve", "1"}).exitCode, 2);
+  EXPECT_EQ(run({"study", "limits", "preset:thesis", "--t", "1.5"}).exitCode, 2);
+  EXPECT_EQ(run({"study", "limits"}).exitCode, 2);
+}
+
 }  // namespace
 }  // namespace flatland

@@ -8,6 +8,7 @@
 #include "ui/panels/marks_panel.h"
 #include "ui/panels/points_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/plot/limits_panel.h"
 #include "ui/plot/study_panel.h"
 #include "ui/plot/sweep_panel.h"
 
@@ -36,6 +37,9 @@ void addPanels(Docks& docks, const CanvasModels& models, StatusLine& status) {
   auto* study = new StudyPanel(models);
   QObject::connect(study, &StudyPanel::said, &status, &StatusLine::say);
   docks.add("study", PanelsWords::tr("Study"), study, Group::Plots);
+  auto* limits = new LimitsPanel(models);
+  QObject::connect(limits, &LimitsPanel::said, &status, &StatusLine::say);
+  docks.add("limits", PanelsWords::tr("Limits"), limits, Group::Plots);
   docks.add("marks", PanelsWords::tr("Marks"), new MarksPanel(models), Group::Bottom);
 }
 

@@ -32,6 +32,7 @@ void addProfileCommand(CLI::App& app, Action& action);
 void addImportCommand(CLI::App& app, Action& action);
 void addSweepCommand(CLI::App& app, Action& action, const std::string& commandLine);
 void addStudyCommand(CLI::App& app, Action& action);
+void addLimitsCommand(CLI::App& study, Action& action);  ///< below `flatland study`
 void addDerivationCommand(CLI::App& app, Action& action);
 void addWindowCommand(CLI::App& app, Action& action);
 

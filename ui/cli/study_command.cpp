@@ -111,7 +111,8 @@ int run(Options options) {
 
 void addStudyCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
-  CLI::App& study = *app.add_subcommand("study", "Measure over many random curves.");
+  CLI::App& study = *app.add_subcommand(
+      "study", "Measure: the offset term over many random curves, the limits at silhouettes.");
   study.require_subcommand(1);
   CLI::App& command = *study.add_subcommand(
       "offset",
@@ -154,6 +155,7 @@ void addStudyCommand(CLI::App& app, Action& action) {
       "  flatland study offset --curves 1000000 -o study.csv\n"
       "  flatland study offset --curves 1000000 -o study.csv --resume\n");
   command.final_callback([options, &action] { action = [options] { return run(*options); }; });
+  addLimitsCommand(study, action);
 }
 
 }  // namespace flatland::ui

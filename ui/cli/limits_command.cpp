@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "flatland/io/atomic_file.h"
+#include "flatland/io/limits_text.h"
+#include "ui/cli/command_line.h"
+#include "ui/cli/picture.h"
+#include "ui/cli/scene_argument.h"
+
+namespace flatland::ui {
+
+namespace {
+
+struct Options {
+  std::string scene;
+  std::size_t curve = 0;
+  std::optional<double> t;  ///< none: the middle of the curve
+  std::optional<double> viewAngleDeg;
+  std::string format;  ///< empty: by the suffix of the output
+  std::string output;
+};
+
+int run(const Options& options) {
+  Scene scene = sceneFromArgument(options.scene);
+  if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
+  if (options.curve >= scene.curves.size()) {
+    throw UsageError("the scene has no curve " + std::to_string(options.curve) +
+                     "; they are counted from 0");
+  }
+  const double end = pieceCount(scene.curves[options.curve].shape);
+  const double t = options.t.value_or(0.5 * end);
+  if (!(t >= 0.0 && t <= end)) {
+    throw UsageError("--t must lie between 0 and the number of the curve's pieces");
+  }
+  const int curve = static_cast<int>(options.curve);
+  std::vector<LimitSeries> series;
+  for (auto& found : {turnToSilhouette(scene, curve, t), walkToSilhouette(scene, curve, t),
+                      slideIntoSilhouette(scene, curve, t)}) {
+    if (found) series.push_back(*found);
+  }
+  const bool csv =
+      options.format.empty() ? extensionOf(options.output) == ".csv" : options.format == "csv";
+  const std::string text = csv ? limitsToCsv(series) : limitsToJson(series);
+  if (options.output.empty()) {
+    writeToStandardOutput(text);
+  } else {
+    writeFileAtomically(options.output, text);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void addLimitsCommand(CLI::App& study, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *study.add_subcommand(
+      "limits",
+      "How lambda and the two terms grow or vanish on the way to a silhouette: turning the view "
+      "at\n"
+      "a point, walking along the curve, and an apparent ridge that slides into a silhouette. "
+      "Each\n"
+      "power law is predicted, and fitted to the last decade that rounding leaves alone.");
+  command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
+  command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N");
+  command.add_option("--t", options->t, "The point: piece plus parameter [middle of the curve]")
+      ->type_name("T");
+  addViewAngle(command, options->viewAngleDeg);
+  command
+      .add_option("--format", options->format,
+                  "json or csv [csv if the output's name ends in .csv, else json]")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"json", "csv"}).description(""));
+  command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
+      ->type_name("FILE");
+  command.footer(
+      "Examples:\n"
+      "  flatland study limits preset:thesis --curve 0 --t 0.4\n"
+      "  flatland study limits scene.json --t 0.4 -o limits.csv\n");
+  command.final_callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/limits_panel.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <cmath>
+
+#include "flatland/features/terms.h"
+#include "flatland/io/limits_text.h"
+#include "flatland/io/scene_json.h"
+#include "ui/plot/figure_files.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr int kSlideSteps = 1000;
+// Nearer than this to the silhouette, n.w is zero but for the rounding of the view's angle.
+constexpr double kAtSilhouette = 1e-12;
+
+std::optional<LimitSeries> run(LimitExperiment experiment, const Scene& scene, int curve,
+                               double t) {
+  switch (experiment) {
+    case LimitExperiment::Turn:
+      return turnToSilhouette(scene, curve, t);
+    case LimitExperiment::Walk:
+      return walkToSilhouette(scene, curve, t);
+    case LimitExperiment::Slide:
+      break;
+  }
+  return slideIntoSilhouette(scene, curve, t);
+}
+
+}  // namespace
+
+LimitsPanel::LimitsPanel(const CanvasModels& models, QWidget* parent)
+    : QWidget(parent),
+      models_(models),
+      turner_(models.document, models.stage),
+      view_(new LimitsView(models.display, this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 2);
+  layout->setSpacing(3);
+  layout->addLayout(buildChoices());
+  layout->addLayout(buildSlider());
+  layout->addWidget(view_, 1);
+  now_ = new QLabel(this);
+  now_->setObjectName("limits.now");
+  now_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  words_ = new QLabel(this);
+  words_->setObjectName("limits.words");
+  words_->setWordWrap(true);
+  words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+  layout->addWidget(now_);
+  layout->addWidget(words_);
+  setFocusProxy(slide_);
+
+  connect(&models_.document, &Document::changed, this, [this](const Change& change) {
+    if (change.touchesScene()) sceneChanged();
+  });
+  connect(&models_.probe, &Probe::changed, this, &LimitsPanel::sceneChanged);
+  connect(&job_, &Job::failed, this, &LimitsPanel::said);
+  showSeries(std::nullopt);
+  showNow();
+}
+
+QLayout* LimitsPanel::buildChoices() {
+  experiment_ = new QComboBox(this);
+  experiment_->setObjectName("limits.experiment");
+  experiment_->addItem(tr("Turn the view"));
+  experiment_->addItem(tr("Walk along the curve"));
+  experiment_->addItem(tr("A ridge slides in"));
+  experiment_->setToolTip(
+      tr("Three ways to a silhouette: turn the view at the probe; walk from the probe to the "
+         "nearest silhouette; turn the view until an apparent ridge meets a silhouette at an "
+         "inflection"));
+  experiment_->setAccessibleName(tr("Way to the silhouette"));
+  connect(experiment_, &QComboBox::currentIndexChanged, this, &LimitsPanel::sceneChanged);
+  law_ = new QComboBox(this);
+  law_->setObjectName("limits.law");
+  law_->setToolTip(tr("What is drawn"));
+  law_->setAccessibleName(tr("Quantity"));
+  law_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  connect(law_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    if (index >= 0) view_->setLaw(static_cast<std::size_t>(index));
+  });
+  export_ = new QPushButton(tr("&Export…"), this);
+  export_->setObjectName("limits.export");
+  export_->setToolTip(tr("Write the diagram as a picture, or all values as CSV"));
+  export_->setMinimumWidth(export_->fontMetrics().horizontalAdvance(export_->text()) + 18);
+  connect(export_, &QPushButton::clicked, this, &LimitsPanel::exportDiagram);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(3);
+  row->addWidget(experiment_, 1);
+  row->addWidget(law_, 1);
+  row->addWidget(export_);
+  return row;
+}
+
+QLayout* LimitsPanel::buildSlider() {
+  slide_ = new QSlider(Qt::Horizontal, this);
+  slide_->setObjectName("limits.slide");
+  slide_->setRange(0, kSlideSteps);
+  slide_->setPageStep(kSlideSteps / 10);
+  slide_->setInvertedAppearance(true);  // to the right, towards the silhouette
+  slide_->setToolTip(
+      tr("n·w at the probe, from 1 (seen head-on) to 0 (silhouette): turns the view"));
+  slide_->setAccessibleName(tr("Foreshortening n·w"));
+  slide_->installEventFilter(this);
+  connect(slide_, &QSlider::sliderPressed, this, [this] { turner_.begin(); });
+  connect(slide_, &QSlider::sliderReleased, this, [this] { turner_.end(); });
+  connect(slide_, &QSlider::valueChanged, this,
+          [this](int value) { turnTo(static_cast<double>(value) / kSlideSteps); });
+  nw_ = new QDoubleSpinBox(this);
+  nw_->setObjectName("limits.nw");
+  nw_->setDecimals(8);
+  nw_->setRange(0.0, 1.0);
+  nw_->setSingleStep(0.01);
+  nw_->setKeyboardTracking(false);
+  nw_->setLocale(QLocale::c());
+  nw_->setToolTip(slide_->toolTip());
+  nw_->setAccessibleName(tr("n·w"));
+  connect(nw_, &QDoubleSpinBox::valueChanged, this, &LimitsPanel::turnTo);
+  auto* label = new QLabel(tr("&n·w"), this);
+  label->setBuddy(slide_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  row->addWidget(label);
+  row->addWidget(slide_, 1);
+  row->addWidget(nw_);
+  return row;
+}
+
+// A key that is held down is one gesture, as a drag is.
+bool LimitsPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == slide_) {
+    if (event->type() == QEvent::KeyPress) {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      if (key->key() == Qt::Key_Escape && turner_.isActive()) {
+        turner_.cancel();
+        return true;
+      }
+      if (key->key() != Qt::Key_Tab && key->key() != Qt::Key_Backtab) turner_.begin();
+    }
+    if (event->type() == QEvent::FocusOut) turner_.end();
+    if (event->type() == QEvent::KeyRelease && !static_cast<QKeyEvent*>(event)->isAutoRepeat()) {
+      turner_.end();
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+std::optional<Probe::Place> LimitsPanel::place() const {
+  const auto& curves = models_.document.scene().curves;
+  if (const auto& probe = models_.probe.place()) return probe;
+  if (curves.empty()) return std::nullopt;
+  return Probe::Place{0, 0.5 * pieceCount(curves[0].shape)};
+}
+
+void LimitsPanel::turnTo(double nw) {
+  const auto at = place();
+  if (!at || models_.document.scene().view.distance) return showNow();
+  const Jet jet = jetAt(models_.document.scene().curves[at->curve].shape, at->t);
+  if (!(jet.d1.squaredNorm() > 0.0)) return showNow();
+  models_.probe.setPlace(at);  // so that it is seen where n.w is meant
+  turner_.turnTo(
+      angleDegWithForeshortening(jet.d1.normalized(), nw, models_.document.scene().view.angleDeg));
+  showNow();
+}
+
+void LimitsPanel::sceneChanged() {
+  waiting_ = true;
+  showNow();
+  if (isVisible()) start();
+}
+
+void LimitsPanel::showEvent(QShowEvent* event) {
+  if (waiting_) start();
+  QWidget::showEvent(event);
+}
+
+void LimitsPanel::start() {
+  waiting_ = false;
+  const auto at = place();
+  if (!at) {
+    job_.cancel();
+    return showSeries(std::nullopt);
+  }
+  using Result = std::optional<LimitSeries>;
+  const auto experiment = static_cast<LimitExperiment>(experiment_->currentIndex());
+  job_.start<Result>(
+      [experiment, scene = models_.document.scene(), at = *at](const JobControl&) {
+        return std::optional<Result>(run(experiment, scene, static_cast<int>(at.curve), at.t));
+      },
+      [this](const Result& result) { showSeries(result); });
+}
+
+void LimitsPanel::showSeries(const std::optional<LimitSeries>& series) {
+  export_->setEnabled(series.has_value());
+  const QString why =
+      experiment_->currentIndex() == static_cast<int>(LimitExperiment::Slide)
+          ? tr("This curve has no inflection into which an apparent ridge could slide.")
+          : tr("This curve has no silhouette to go to in this view.");
+  QStringList names;
+  if (series) {
+    for (const LimitLaw& law : series->laws) names << nameForPeople(law.quantity);
+  }
+  QStringList shown;
+  for (int i = 0; i < law_->count(); ++i) shown << law_->itemText(i);
+  if (names != shown) {
+    const QSignalBlocker silent(law_);
+    law_->clear();
+    law_->addItems(names);
+    view_->setLaw(0);
+  }
+  view_->setSeries(series, why);
+  showNow();
+}
+
+// The present n.w, and what is known there.
+void LimitsPanel::showNow() {
+  const auto at = place();
+  const bool perspective = models_.document.scene().view.distance.has_value();
+  slide_->setEnabled(at && !perspective);
+  nw_->setEnabled(at && !perspective);
+  words_->setText(explanation());
+  view_->setMarkedX(std::nullopt);
+  now_->clear();
+  if (!at) return;
+  const Jet jet = jetAt(models_.document.scene().curves[at->curve].shape, at->t);
+  if (!(jet.d1.squaredNorm() > 0.0)) return;
+  const Terms terms = termsAt(jet, frameOf(models_.document.scene().view), 1);
+  const double nw = std::abs(terms.nw);
+  {
+    const QSignalBlocker slideSilent(slide_), boxSilent(nw_);
+    slide_->setValue(qRound(nw * kSlideSteps));
+    nw_->setValue(nw);
+  }
+  const bool atSilhouette = nw < kAtSilhouette;
+  now_->setText(atSilhouette ? tr("n·w = 0: the silhouette; λ has no value here")
+                             : tr("n·w = %1   λ = %2   |feature| %3   |offset| %4")
+                                   .arg(nw, 0, 'g', 4)
+                                   .arg(*terms.lambda, 0, 'g', 5)
+                                   .arg(std::abs(terms.feature), 0, 'g', 4)
+                                   .arg(std::abs(terms.offset), 0, 'g', 4));
+  now_->setToolTip(now_->text());
+  const auto& series = view_->series();
+  if (series && series->experiment == LimitExperiment::Turn) view_->setMarkedX(nw);
+}
+
+QString LimitsPanel::explanation() const {
+  if (models_.document.scene().view.distance) {
+    return tr(
+        "These limits are those of a viewer infinitely far away; switch perspective off to "
+        "turn the view by n·w.");
+  }
+  const auto& series = view_->series();
+  if (!series) return {};
+  switch (series->limitCase) {
+    case LimitCase::FixedPoint:
+      return tr(
+          "λ = k²/(n·w)²: slope −2. The feature term falls with n·w, the offset term stays. "
+          "At n·w = 0 the equation is singular and says nothing, but λ grows without bound "
+          "towards it: its supremum lies there, and the silhouette is drawn as such.");
+    case LimitCase::OrdinarySilhouette:
+      return tr(
+          "n·w falls as k s, and k cancels: λ = 1/s², whatever the curvature. The feature "
+          "term vanishes with s, the offset term does not: near a silhouette there is no "
+          "apparent ridge.");
+    case LimitCase::SilhouetteAtInflection:
+      return tr(
+          "k and n·w vanish together: k as s, n·w as s². λ = 4/s², four times as fast as at "
+          "an ordinary silhouette, and the offset term is twice the feature term.");
+    case LimitCase::HigherContact:
+      return tr("k vanishes as a power m of s, n·w as the power m + 1: λ = (m + 1)²/s².");
+    case LimitCase::CuspSeenAcross:
+      return tr("At a cusp k grows as 1/√s while n·w does not vanish: λ grows as 1/s only.");
+    case LimitCase::CuspSeenAlong:
+      return tr(
+          "At a cusp that points along the line of sight k grows as 1/√s and n·w falls as "
+          "√s: λ = 1/(4 s²).");
+    case LimitCase::Merging:
+      break;
+  }
+  return tr(
+      "Seen along the tangent of an inflection, two apparent ridges meet and leave as two "
+      "silhouettes. On both sides their distance is √(2 angle / |k′|): slope 1/2.");
+}
+
+void LimitsPanel::exportDiagram() {
+  if (!view_->series()) return;
+  const QString text =
+      exportFigureFile(this, {.suggestedName = tr("limits"),
+                              .title = "Flatland, limits at a silhouette",
+                              .sceneJson = sceneToJson(models_.document.scene()),
+                              .figure = [this] { return view_->figureForFile(); },
+                              .table = [this] { return limitsToCsv({*view_->series()}); }});
+  if (!text.isEmpty()) emit said(text);
+}
+
+}  // namespace flatland::ui
