@@ -13,6 +13,8 @@
 
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
+#include "ui/app/language.h"
+#include "ui/app/layouts.h"
 #include "ui/app/main_window.h"
 #include "ui/app/paths.h"
 
@@ -50,44 +52,74 @@ void waitUntilPainted(QWidget& window) {
   QCoreApplication::sendPostedEvents();
 }
 
+[[noreturn]] void refuse(const char* option, const std::string& name, const QStringList& known) {
+  throw InputError(option, "",
+                   "there is no " + name + "; there are " + known.join(", ").toStdString());
+}
+
+/// Puts on what the shot asks for; the size comes after.
+void dress(MainWindow& window, const Shot& shot) {
+  const auto theme = Display::themeNamed(shot.theme);
+  if (!theme) refuse("--theme", shot.theme, {"system", "light", "dark", "high-contrast"});
+  const auto layout = Layouts::kindNamed(QString::fromStdString(shot.layout));
+  if (!layout) refuse("--layout", shot.layout, {"work", "picture", "projector"});
+  const QStringList panels = window.docks().ids();
+  for (const std::string& panel : shot.show) {
+    if (!panels.contains(QString::fromStdString(panel))) refuse("--show", panel, panels);
+  }
+  window.display().setTheme(*theme);
+  window.layouts().use(*layout);
+  if (shot.scale > 0.0) window.display().setUiScale(shot.scale);
+  if (shot.probe) window.probe().setPlace(Probe::Place{shot.probe->first, shot.probe->second});
+}
+
 }  // namespace
 
-int runWindow(int& argc, char** argv, const std::optional<std::filesystem::path>& sceneFile,
-              const std::optional<Scene>& scene) {
+int runWindow(int& argc, char** argv, const WindowStart& start) {
   const QApplication application(argc, argv);
   setUpApplication();
   QSettings settings;
-  const QString name = scene ? QString() : presetName(presets().front());
-  MainWindow window(scene ? *scene : defaultScene(), name, &settings);
+  installLanguage(start.language.empty() ? chosenLanguage(settings)
+                                         : QString::fromStdString(start.language));
+  const QString name = start.scene ? QString() : presetName(presets().front());
+  MainWindow window(start.scene ? *start.scene : defaultScene(), name, &settings);
   window.show();
-  if (sceneFile) {
+  if (start.projector) window.layouts().use(Layouts::Kind::Projector);
+  if (start.sceneFile) {
     // From the running event loop, so that a message about it finds a window to stand in.
-    QTimer::singleShot(0, &window, [&] { window.files().openFile(toQString(*sceneFile)); });
+    QTimer::singleShot(0, &window, [&] { window.files().openFile(toQString(*start.sceneFile)); });
   }
   return QApplication::exec();
 }
 
-int takeShot(int& argc, char** argv, const std::optional<Scene>& scene,
-             const std::filesystem::path& output, int width, int height) {
+int takeShot(int& argc, char** argv, const Shot& shot) {
   // Never on a display: the picture is then the same everywhere, and a display that is gone does no
   // harm.
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
   setUpApplication();
-  const QString name = scene ? QString() : presetName(presets().front());
-  MainWindow window(scene ? *scene : defaultScene(), name, nullptr);
-  window.resize(std::max(width, 1), std::max(height, 1));
-  window.restoreDefaultLayout();
+  installLanguage(QString::fromStdString(shot.language));
+  const QString name = shot.scene ? QString() : presetName(presets().front());
+  MainWindow window(shot.scene ? *shot.scene : defaultScene(), name, nullptr);
+  const QSize size(std::max(shot.width, 1), std::max(shot.height, 1));
+  window.resize(size);
   window.show();
+  waitUntilPainted(window);
+  dress(window, shot);
+  window.setWindowState(Qt::WindowNoState);  // the size is the one asked for, in any layout
+  window.resize(size);
+  waitUntilPainted(window);
+  window.layouts().restoreDefault();
+  for (const std::string& panel : shot.show) window.docks().show(panel.c_str());
   waitUntilPainted(window);
   window.canvas().fit();
   QByteArray png;
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);
   if (!window.grab().save(&buffer, "PNG")) {
-    throw InputError(output.string(), "", "no picture of this size can be made");
+    throw InputError(shot.output.string(), "", "no picture of this size can be made");
   }
-  writeFileAtomically(output,
+  writeFileAtomically(shot.output,
                       std::string_view(png.constData(), static_cast<std::size_t>(png.size())));
   return 0;
 }

@@ -2,6 +2,7 @@
 #include "ui/app/docks.h"
 
 #include <QDockWidget>
+#include <QScrollArea>
 
 namespace flatland::ui {
 
@@ -9,9 +10,28 @@ namespace {
 
 constexpr int kSideWidth = 400;
 constexpr int kBottomHeight = 190;
+constexpr int kTitleHeight = 24;  ///< of a dock, about
 
 Qt::DockWidgetArea areaOf(Docks::Group group) {
   return group == Docks::Group::Bottom ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea;
+}
+
+/// A panel that needs more room than its dock has scrolls; so no panel makes the window large.
+QScrollArea* scrolled(QWidget* panel) {
+  auto* area = new QScrollArea;
+  area->setObjectName(panel->objectName() + ".scroll");
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setWidget(panel);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setFocusProxy(panel);
+  area->setMinimumSize(120, 60);
+  return area;
+}
+
+int wantedHeight(const QDockWidget& dock) {
+  return static_cast<const QScrollArea*>(dock.widget())->widget()->sizeHint().height() +
+         kTitleHeight;
 }
 
 }  // namespace
@@ -21,7 +41,8 @@ Docks::~Docks() { qDeleteAll(all_); }
 void Docks::add(const char* id, const QString& title, QWidget* panel, Group group) {
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(id);
-  dock->setWidget(panel);
+  dock->setAccessibleName(title);
+  dock->setWidget(scrolled(panel));
   window_.addDockWidget(areaOf(group), dock);
   all_ << dock;
   groups_ << group;
@@ -35,7 +56,15 @@ QList<QDockWidget*> Docks::inGroup(Group group) const {
   return found;
 }
 
-void Docks::arrange() {
+QStringList Docks::ids() const {
+  QStringList ids;
+  for (const QDockWidget* dock : all_) ids << dock->objectName();
+  return ids;
+}
+
+void Docks::arrange() { arrangeOnly(ids()); }
+
+void Docks::arrangeOnly(const QStringList& ids) {
   for (QDockWidget* dock : all_) {
     dock->setFloating(false);
     window_.removeDockWidget(dock);
@@ -44,35 +73,30 @@ void Docks::arrange() {
   QList<int> heights;
   int rest = window_.height();
   for (const Group group : {Group::Top, Group::Side, Group::Plots, Group::Bottom}) {
-    const QList<QDockWidget*> docks = inGroup(group);
-    for (qsizetype i = 0; i < docks.size(); ++i) {
-      if (i == 0 || group == Group::Top) {
-        window_.addDockWidget(areaOf(group), docks[i]);
+    QDockWidget* front = nullptr;
+    for (QDockWidget* dock : inGroup(group)) {
+      if (!ids.contains(dock->objectName())) continue;
+      if (front && group != Group::Top) {
+        window_.tabifyDockWidget(front, dock);
       } else {
-        window_.tabifyDockWidget(docks[i - 1], docks[i]);
+        window_.addDockWidget(areaOf(group), dock);
       }
-      docks[i]->show();
-      if (group == Group::Top) {
-        column << docks[i];
-        heights << docks[i]->sizeHint().height();
+      dock->show();
+      if (!front || group == Group::Top) {
+        front = dock;
+        if (group == Group::Bottom) continue;
+        column << dock;
+        heights << (group == Group::Plots ? qMax(rest, 0) : wantedHeight(*dock));
         rest -= heights.back();
       }
     }
-    if (docks.isEmpty() || group == Group::Top) continue;
-    docks.front()->raise();
-    if (group == Group::Side) {
-      column << docks.front();
-      heights << docks.front()->sizeHint().height();
-      rest -= heights.back();
-    } else if (group == Group::Plots) {
-      column << docks.front();
-      heights << qMax(rest, 0);
-    } else {
-      window_.resizeDocks({docks.front()}, {kBottomHeight}, Qt::Vertical);
-    }
+    if (!front) continue;
+    front->raise();
+    if (group == Group::Bottom) window_.resizeDocks({front}, {kBottomHeight}, Qt::Vertical);
   }
+  if (column.isEmpty()) return;
   window_.resizeDocks(column, heights, Qt::Vertical);
-  if (!column.isEmpty()) window_.resizeDocks({column.front()}, {kSideWidth}, Qt::Horizontal);
+  window_.resizeDocks({column.front()}, {kSideWidth}, Qt::Horizontal);
 }
 
 void Docks::show(const char* id) {

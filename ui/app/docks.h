@@ -32,9 +32,13 @@ class Docks {
   void add(const char* id, const QString& title, QWidget* panel, Group group);
 
   const QList<QDockWidget*>& all() const { return all_; }
+  QStringList ids() const;
 
   /// Every panel open and in its place, the first of each group in front.
   void arrange();
+
+  /// Only these panels, by id, each in its place; all others closed.
+  void arrangeOnly(const QStringList& ids);
 
   /// Opens the panel and brings it to the front.
   void show(const char* id);

@@ -31,9 +31,7 @@ QString shownName(const Document& document) {
   return toQString(document.file().filename());
 }
 
-QString presetName(const Preset& preset) {
-  return coreWords(preset.name);
-}
+QString presetName(const Preset& preset) { return coreWords(preset.name); }
 
 FileController::FileController(QWidget& window, Document& document, MessageBar& messages,
                                QSettings* settings)

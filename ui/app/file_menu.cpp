@@ -47,19 +47,10 @@ void fillRecent(QMenu& menu, FileController& files) {
 
 void fillPresets(QMenu& menu, FileController& files) {
   for (const Preset& preset : presets()) {
-    addAction(menu,
-              {"file.preset", presetName(preset),
-               coreWords(preset.description)},
+    addAction(menu, {"file.preset", presetName(preset), coreWords(preset.description)},
               [&files, &preset] { files.startPreset(preset); })
         ->setObjectName("file.preset." + QString::fromStdString(preset.id));
   }
-}
-
-QMenu& addSubmenu(QMenu& menu, const char* id, const QString& title) {
-  QMenu* submenu = menu.addMenu(title);
-  submenu->setObjectName(id);
-  submenu->setToolTipsVisible(true);
-  return *submenu;
 }
 
 }  // namespace

@@ -5,15 +5,20 @@
 #include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QKeyEvent>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "flatland/io/input_error.h"
 #include "ui/app/export_dialog.h"
 #include "ui/app/key_sheet.h"
+#include "ui/app/language.h"
+#include "ui/app/layouts.h"
+#include "ui/app/look.h"
 #include "ui/app/menus.h"
 #include "ui/app/message_bar.h"
 #include "ui/app/panels.h"
@@ -24,7 +29,6 @@ namespace flatland::ui {
 
 namespace {
 
-constexpr int kLayoutVersion = 2;  ///< of saveState(): raise when docks come, go or change names
 constexpr QSize kDefaultSize(1280, 800);
 
 QString droppedFile(const QMimeData& data) {
@@ -44,20 +48,22 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
   setObjectName("window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
+  look_ = new Look(display_, this);
   status_ = new StatusLine(*statusBar(), document_);
   buildCentre();
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   addPanels(*docks_, models(), *status_);
   files_ = new FileController(*this, document_, *messages_, settings_);
   edits_ = new EditController(models(), this);
+  resize(kDefaultSize);
+  pictureBar_ = addToolBar(tr("Picture"));
+  pictureBar_->setObjectName("picture-bar");
+  layouts_ = new Layouts(*this, *docks_, display_, *pictureBar_);
   buildMenuBar();
   connectParts();
-  resize(kDefaultSize);
-  restoreDefaultLayout();
   if (settings_) {
     display_.restore(*settings_);
-    restoreGeometry(settings_->value("window/geometry").toByteArray());
-    restoreState(settings_->value("window/layout").toByteArray(), kLayoutVersion);
+    layouts_->restore(*settings_);
   }
   showTitle();
   canvas_->setFocus(Qt::OtherFocusReason);
@@ -83,8 +89,6 @@ void MainWindow::buildCentre() {
   setCentralWidget(centre);
 }
 
-void MainWindow::restoreDefaultLayout() { docks_->arrange(); }
-
 void MainWindow::buildMenuBar() {
   buildMenus({.window = *this,
               .models = models(),
@@ -95,7 +99,10 @@ void MainWindow::buildMenuBar() {
               .exportFigure = [this] { exportFigure(); },
               .showKeys = [this] { showKeys(); },
               .showAbout = [this] { showAbout(); },
-              .restoreLayout = [this] { restoreDefaultLayout(); }});
+              .layouts = *layouts_,
+              .pictureBar = *pictureBar_,
+              .language = settings_ ? chosenLanguage(*settings_) : QStringLiteral("system"),
+              .setLanguage = [this](const QString& code) { setLanguage(code); }});
 }
 
 void MainWindow::connectParts() {
@@ -109,6 +116,11 @@ void MainWindow::connectParts() {
     if (change.what == Change::What::File || change.what == Change::What::Scene) showTitle();
   });
   status_->showHint(describe(models(), {}));
+}
+
+void MainWindow::setLanguage(const QString& code) {
+  if (settings_) chooseLanguage(*settings_, code);
+  status_->say(tr("The language changes when the window is opened the next time."));
 }
 
 void MainWindow::showTitle() {
@@ -169,11 +181,18 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   if (settings_) {
-    settings_->setValue("window/geometry", saveGeometry());
-    settings_->setValue("window/layout", saveState(kLayoutVersion));
+    layouts_->save(*settings_);
     display_.save(*settings_);
   }
   event->accept();
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && display_.isProjector()) {
+    layouts_->toggleProjector();
+  } else {
+    QMainWindow::keyPressEvent(event);
+  }
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

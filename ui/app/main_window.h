@@ -10,10 +10,13 @@
 #include "ui/flat/canvas.h"
 
 class QSettings;
+class QToolBar;
 
 namespace flatland::ui {
 
 class KeySheet;
+class Layouts;
+class Look;
 class MessageBar;
 class StatusLine;
 
@@ -39,10 +42,12 @@ class MainWindow : public QMainWindow {
 
   void showKeys();
   void exportFigure();
-  void restoreDefaultLayout();
+  Layouts& layouts() { return *layouts_; }
+  Docks& docks() { return *docks_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -51,6 +56,7 @@ class MainWindow : public QMainWindow {
   void buildMenuBar();
   void connectParts();
   CanvasModels models() { return {document_, selection_, viewport_, display_, stage_, probe_}; }
+  void setLanguage(const QString& code);
   void showTitle();
   void showAbout();
 
@@ -62,6 +68,9 @@ class MainWindow : public QMainWindow {
   Stage stage_;
   Probe probe_;
   std::unique_ptr<Docks> docks_;
+  Look* look_ = nullptr;
+  Layouts* layouts_ = nullptr;
+  QToolBar* pictureBar_ = nullptr;
   MessageBar* messages_ = nullptr;
   FlatCanvas* canvas_ = nullptr;
   StatusLine* status_ = nullptr;

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QToolBar>
 
 namespace flatland::ui {
 
@@ -46,12 +47,22 @@ QAction* addSwitch(QMenu& menu, const ActionText& text, std::function<void(bool)
   return action;
 }
 
+QMenu& addSubmenu(QMenu& menu, const char* id, const QString& title) {
+  QMenu* submenu = menu.addMenu(title);
+  submenu->setObjectName(id);
+  submenu->setToolTipsVisible(true);
+  return *submenu;
+}
+
 void buildMenus(const MenuParts& parts) {
   buildFileMenu(addMenu(parts.window, "menu.file", MenusWords::tr("&File")), parts);
   buildEditMenu(addMenu(parts.window, "menu.edit", MenusWords::tr("&Edit")), parts);
   buildCurveMenu(addMenu(parts.window, "menu.curve", MenusWords::tr("&Curve")), parts);
   buildViewMenu(addMenu(parts.window, "menu.view", MenusWords::tr("&View")), parts);
   buildHelpMenu(addMenu(parts.window, "menu.help", MenusWords::tr("&Help")), parts);
+  for (const char* id : {"file.export", "view.fit", "view.control-polygon", "view.hidden"}) {
+    parts.pictureBar.addAction(parts.window.findChild<QAction*>(id));
+  }
 }
 
 void buildHelpMenu(QMenu& menu, const MenuParts& parts) {

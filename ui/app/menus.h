@@ -13,8 +13,11 @@ class QAction;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
+class QToolBar;
 
 namespace flatland::ui {
+
+class Layouts;
 
 /// What the menus act on; all of it outlives them.
 struct MenuParts {
@@ -27,7 +30,10 @@ struct MenuParts {
   std::function<void()> exportFigure;
   std::function<void()> showKeys;
   std::function<void()> showAbout;
-  std::function<void()> restoreLayout;
+  Layouts& layouts;
+  QToolBar& pictureBar;
+  QString language;                                 ///< the one chosen, see language.h
+  std::function<void(const QString&)> setLanguage;  ///< from the next start on
 };
 
 /// Fills the menu bar. Every action has an object name ("file.open"), which tests and later
@@ -39,6 +45,7 @@ void buildFileMenu(QMenu& menu, const MenuParts& parts);
 void buildEditMenu(QMenu& menu, const MenuParts& parts);
 void buildCurveMenu(QMenu& menu, const MenuParts& parts);
 void buildViewMenu(QMenu& menu, const MenuParts& parts);
+void addLayoutMenus(QMenu& viewMenu, const MenuParts& parts);  ///< layout, theme, size, language
 void buildHelpMenu(QMenu& menu, const MenuParts& parts);
 
 /// How an action is met: by name, in the menu, by keys, in words.
@@ -48,6 +55,9 @@ struct ActionText {
   QString tip;
   QList<QKeySequence> keys{};
 };
+
+/// Adds a menu in a menu.
+QMenu& addSubmenu(QMenu& menu, const char* id, const QString& title);
 
 /// Adds an action that calls `act`.
 QAction* addAction(QMenu& menu, const ActionText& text, std::function<void()> act);

@@ -114,21 +114,19 @@ void buildViewMenu(QMenu& menu, const MenuParts& parts) {
   menu.addSeparator();
   addSwitches(menu, parts);
   menu.addSeparator();
+  QMenu& panels = addSubmenu(menu, "menu.view.panels", ViewMenuWords::tr("Pa&nels"));
   for (QDockWidget* dock : parts.docks) {
     QAction* toggle = dock->toggleViewAction();
     toggle->setObjectName("view.dock." + dock->objectName());
     toggle->setStatusTip(ViewMenuWords::tr("Show or close this panel"));
     toggle->setToolTip(toggle->statusTip());
-    menu.addAction(toggle);
+    panels.addAction(toggle);
   }
-  addAction(menu,
-            {"view.restore-layout", ViewMenuWords::tr("&Restore Panels"),
-             ViewMenuWords::tr("All panels back to their places")},
-            parts.restoreLayout);
+  addLayoutMenus(menu, parts);
   menu.addSeparator();
   addAction(menu,
             {"view.next-pane",
-             ViewMenuWords::tr("&Next Pane"),
+             ViewMenuWords::tr("Ne&xt Pane"),
              ViewMenuWords::tr("Move the focus on: canvas, panels"),
              {QKeySequence(Qt::Key_F6)}},
             [parts] { movePane(parts, 1); });

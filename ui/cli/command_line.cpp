@@ -71,6 +71,12 @@ void addSize(CLI::App& command, PixelSize& size) {
           ""));
 }
 
+void addLanguage(CLI::App& command, std::string& language, const std::string& help) {
+  command.add_option("--language", language, help)
+      ->type_name("CODE")
+      ->check(CLI::IsMember({"en", "de", "system"}).description(""));
+}
+
 std::string shellLine(int argc, const char* const* argv) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/@%";

@@ -45,6 +45,9 @@ struct PixelSize {
 };
 void addSize(CLI::App& command, PixelSize& size);
 
+/// The option --language CODE.
+void addLanguage(CLI::App& command, std::string& language, const std::string& help);
+
 /// The arguments as one line that a POSIX shell reads back as the same arguments.
 std::string shellLine(int argc, const char* const* argv);
 

@@ -53,17 +53,15 @@ std::string pngWithQt(const Figure& figure, const FigureSource& source, double d
   return withoutDisplay([&] { return figureToPng(figure, source, dpi); });
 }
 
-int windowWithQt(const std::optional<std::filesystem::path>& sceneFile,
-                 const std::optional<Scene>& scene) {
+int windowWithQt(const WindowStart& start) {
   QtArguments arguments;
-  return runWindow(arguments.argc, arguments.argv, sceneFile, scene);
+  return runWindow(arguments.argc, arguments.argv, start);
 }
 
-int shotWithQt(const std::optional<Scene>& scene, const std::filesystem::path& output, int width,
-               int height) {
+int shotWithQt(const Shot& shot) {
   qInstallMessageHandler(passMessage);
   QtArguments arguments;
-  return takeShot(arguments.argc, arguments.argv, scene, output, width, height);
+  return takeShot(arguments.argc, arguments.argv, shot);
 }
 
 }  // namespace flatland::ui

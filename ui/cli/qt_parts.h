@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "flatland/scene/scene.h"
+#include "ui/app/app.h"
 #include "ui/export/figure.h"
 
 // What the command line needs Qt for. Built from qt_parts.cpp, or without Qt from
@@ -22,9 +22,7 @@ std::string pdfWithQt(const Figure& figure, const FigureSource& source);
 std::string pngWithQt(const Figure& figure, const FigureSource& source, double dpi);
 
 /// See ui/app/app.h.
-int windowWithQt(const std::optional<std::filesystem::path>& sceneFile,
-                 const std::optional<Scene>& scene);
-int shotWithQt(const std::optional<Scene>& scene, const std::filesystem::path& output, int width,
-               int height);
+int windowWithQt(const WindowStart& start);
+int shotWithQt(const Shot& shot);
 
 }  // namespace flatland::ui

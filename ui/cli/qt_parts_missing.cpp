@@ -19,12 +19,8 @@ std::string pdfWithQt(const Figure&, const FigureSource&) { refuse("PDF", "write
 
 std::string pngWithQt(const Figure&, const FigureSource&, double) { refuse("PNG", "write SVG"); }
 
-int windowWithQt(const std::optional<std::filesystem::path>&, const std::optional<Scene>&) {
-  refuse("The window", "use a subcommand");
-}
+int windowWithQt(const WindowStart&) { refuse("The window", "use a subcommand"); }
 
-int shotWithQt(const std::optional<Scene>&, const std::filesystem::path&, int, int) {
-  refuse("The window", "use flatland draw");
-}
+int shotWithQt(const Shot&) { refuse("The window", "use flatland draw"); }
 
 }  // namespace flatland::ui

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
+#include <cmath>
+
 #include "ui/cli/command_line.h"
+#include "ui/cli/picture.h"
 #include "ui/cli/qt_parts.h"
 #include "ui/cli/scene_argument.h"
 
@@ -12,29 +16,54 @@ struct Options {
   std::string output;
   std::optional<double> viewAngleDeg;
   PixelSize size{1280, 800};
+  bool projector = false;
+  std::string probe;
+  Shot shot;
 };
 
 std::string whyNotOutput(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".png" || extension == ".PNG") return {};
+  if (extensionOf(file) == ".png") return {};
   return "the name " + file + " should end in .png";
+}
+
+/// "CURVE:T" as the two numbers; nullopt if it is not that.
+std::optional<std::pair<std::size_t, double>> parsedProbe(const std::string& text) {
+  std::pair<std::size_t, double> probe{};
+  const char* end = text.data() + text.size();
+  const auto curve = std::from_chars(text.data(), end, probe.first);
+  if (curve.ec != std::errc() || curve.ptr == end || *curve.ptr != ':') return std::nullopt;
+  const auto place = std::from_chars(curve.ptr + 1, end, probe.second);
+  if (place.ec != std::errc() || place.ptr != end) return std::nullopt;
+  if (!std::isfinite(probe.second)) return std::nullopt;
+  return probe;
+}
+
+std::string whyNotProbe(const std::string& text) {
+  if (parsedProbe(text)) return {};
+  return "expected a curve's number and a parameter, for example 0:0.25, found " + text;
 }
 
 int run(const Options& options) {
   requireQt("The window", "draw the scene with flatland draw");
-  std::optional<Scene> scene;
-  if (!options.scene.empty()) scene = sceneFromArgument(options.scene);
+  Shot shot = options.shot;
+  shot.output = options.output;
+  shot.width = options.size.width;
+  shot.height = options.size.height;
+  if (options.projector) shot.layout = "projector";
+  if (!options.probe.empty()) shot.probe = parsedProbe(options.probe);
+  if (!options.scene.empty()) shot.scene = sceneFromArgument(options.scene);
   if (options.viewAngleDeg) {
-    if (!scene) scene = defaultScene();
-    scene->view.angleDeg = *options.viewAngleDeg;
+    if (!shot.scene) shot.scene = defaultScene();
+    shot.scene->view.angleDeg = *options.viewAngleDeg;
   }
-  return shotWithQt(scene, options.output, options.size.width, options.size.height);
+  return shotWithQt(shot);
 }
 
 }  // namespace
 
 void addShotCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
+  Shot& shot = options->shot;
   CLI::App& command = *app.add_subcommand(
       "shot", "Take a picture of the window as it opens on a scene. Works without a display.");
   command.add_option("scene", options->scene, std::string(kSceneHelp) + " [preset:thesis]")
@@ -45,10 +74,32 @@ void addShotCommand(CLI::App& app, Action& action) {
       ->check(CLI::Validator(whyNotOutput, ""));
   addViewAngle(command, options->viewAngleDeg);
   addSize(command, options->size);
+  command.add_option("--layout", shot.layout, "Layout: work, picture or projector [work]")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"work", "picture", "projector"}).description(""));
+  command.add_flag("--projector", options->projector, "The same as --layout projector");
+  command
+      .add_option("--show", shot.show,
+                  "Panels to open and bring to the front, by name, separated by commas; a name "
+                  "that is none lists them")
+      ->type_name("LIST")
+      ->delimiter(',');
+  command.add_option("--theme", shot.theme, "Theme: light, dark, high-contrast or system [light]")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"light", "dark", "high-contrast", "system"}).description(""));
+  addLanguage(command, shot.language, "Language of the window: en or de [en]");
+  command
+      .add_option("--scale", shot.scale, "How much larger than usual type and marks are: 1 to 2.5")
+      ->type_name("FACTOR")
+      ->check(CLI::Range(1.0, 2.5).description(""));
+  command.add_option("--probe", options->probe, "Put the probe on a curve, at a parameter")
+      ->type_name("CURVE:T")
+      ->check(CLI::Validator(whyNotProbe, ""));
   command.footer(
       "Examples:\n"
       "  flatland shot -o window.png\n"
-      "  flatland shot scene.json -o window.png --size 1920x1080\n");
+      "  flatland shot scene.json -o window.png --size 1920x1080\n"
+      "  flatland shot -o window.png --projector --theme dark --language de\n");
   command.final_callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -27,15 +27,27 @@ bool hasDisplay() {
 #endif
 }
 
-int run(const std::string& argument) {
+struct Options {
+  std::string scene;
+  std::string language;
+  bool projector = false;
+};
+
+int run(const Options& options) {
+  const std::string& argument = options.scene;
   requireQt("The window", "use a subcommand; see flatland --help");
   if (!hasDisplay()) {
     throw UsageError(
         "no display to show the window on (DISPLAY and WAYLAND_DISPLAY are not set); "
         "flatland draw and flatland shot work without one");
   }
-  if (argument.empty()) return windowWithQt(std::nullopt, std::nullopt);
-  if (!namesFile(argument)) return windowWithQt(std::nullopt, sceneFromArgument(argument));
+  WindowStart start{
+      .sceneFile = {}, .scene = {}, .language = options.language, .projector = options.projector};
+  if (argument.empty()) return windowWithQt(start);
+  if (!namesFile(argument)) {
+    start.scene = sceneFromArgument(argument);
+    return windowWithQt(start);
+  }
   // A file that cannot be understood is reported in the window; a mistyped name is better
   // reported where it was typed.
   std::error_code error;
@@ -43,17 +55,21 @@ int run(const std::string& argument) {
     const int reason = error ? error.value() : ENOENT;
     throw InputError(argument, "", "cannot be read: " + std::generic_category().message(reason));
   }
-  return windowWithQt(argument, std::nullopt);
+  start.sceneFile = argument;
+  return windowWithQt(start);
 }
 
 }  // namespace
 
 void addWindowCommand(CLI::App& app, Action& action) {
-  const auto scene = std::make_shared<std::string>();
-  app.add_option("scene", *scene, std::string(kSceneHelp) + "; shown in the window")
+  const auto options = std::make_shared<Options>();
+  app.add_option("scene", options->scene, std::string(kSceneHelp) + "; shown in the window")
       ->type_name("SCENE");
-  app.final_callback([&app, scene, &action] {
-    if (app.get_subcommands().empty()) action = [scene] { return run(*scene); };
+  addLanguage(app, options->language,
+              "Language of the window: en, de, or system [the one chosen there]");
+  app.add_flag("--projector", options->projector, "Open the window in projector mode");
+  app.final_callback([&app, options, &action] {
+    if (app.get_subcommands().empty()) action = [options] { return run(*options); };
   });
 }
 

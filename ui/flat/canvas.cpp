@@ -18,6 +18,13 @@ constexpr double kZoomPerNotch = 1.2;
 constexpr double kDegreesPerNotch = 120.0;  ///< QWheelEvent::angleDelta of one notch
 constexpr double kNudgePx = 2.0;            ///< one arrow key; Shift ten times, Ctrl or Alt a tenth
 
+/// Two fingers on a trackpad, or a ball: not the notches of a wheel. Told by the device where the
+/// platform names it, else by what only such devices send.
+bool scrollsByFingers(const QWheelEvent& event) {
+  if (event.device()->type() == QInputDevice::DeviceType::TouchPad) return true;
+  return event.phase() != Qt::NoScrollPhase;
+}
+
 Pointer pointerOf(const QMouseEvent& event) { return {event.position(), event.modifiers()}; }
 
 }  // namespace
@@ -31,6 +38,7 @@ FlatCanvas::FlatCanvas(const CanvasModels& models, QWidget* parent)
          "through the points, arrow keys move them, F6 goes on to the panels."));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  setProperty("drawsFocus", true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   const auto repaint = qOverload<>(&QWidget::update);
   connect(&models_.document, &Document::changed, this, &FlatCanvas::documentChanged);
@@ -163,8 +171,9 @@ void FlatCanvas::insertPointAt(std::size_t curve, double t) {
 }
 
 void FlatCanvas::wheelEvent(QWheelEvent* event) {
-  const bool touchpad = event->device()->type() == QInputDevice::DeviceType::TouchPad;
-  if (touchpad && !event->modifiers().testFlag(Qt::ControlModifier)) {
+  const bool zooms = event->modifiers().testFlag(Qt::ControlModifier) ||
+                     (!scrollsByFingers(*event) && models_.display.wheelZooms());
+  if (!zooms) {
     const QPoint pixels = event->pixelDelta();
     models_.viewport.panBy(pixels.isNull() ? QPointF(event->angleDelta()) / 8.0 : QPointF(pixels));
   } else {
@@ -184,8 +193,10 @@ void FlatCanvas::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape:
       if (gesture_) {
         cancelGesture();
-      } else {
+      } else if (!models_.selection.points().empty() || models_.selection.mark()) {
         models_.selection.clear();
+      } else {
+        event->ignore();  // nothing here to take back: the window may have something
       }
       return;
     case Qt::Key_Space:

@@ -50,8 +50,9 @@ void MovePointsGesture::moveTo(const Vec2& delta, JointMode mode) {
 QString MovePointsGesture::status() const {
   return Gesture::tr(
              "Moving %1 by (%2). Ctrl: along one axis. Alt: leave the handles. Esc: take it back.")
-      .arg(plan_.moving.size() == 1 ? Gesture::tr("the point")
-                                    : Gesture::tr("%1 points").arg(plan_.moving.size()),
+      .arg(plan_.moving.size() == 1
+               ? Gesture::tr("the point")
+               : Gesture::tr("%n points", nullptr, static_cast<int>(plan_.moving.size())),
            coordinates(models_.viewport, delta_));
 }
 

@@ -40,8 +40,8 @@ void RubberBandGesture::finish(const Pointer& pointer) {
 void RubberBandGesture::cancel() { models_.selection.setPoints(before_); }
 
 QString RubberBandGesture::status() const {
-  return Gesture::tr("%1 points selected. Shift: add to the selection. Esc: take it back.")
-      .arg(models_.selection.points().size());
+  return Gesture::tr("%n points selected. Shift: add to the selection. Esc: take it back.", nullptr,
+                     static_cast<int>(models_.selection.points().size()));
 }
 
 void RubberBandGesture::paint(QPainter& painter) const {

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace flatland::ui {
 
@@ -14,7 +15,20 @@ QString familyKey(MarkKind kind) {
   return "display/" + QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
+constexpr std::pair<Display::Theme, const char*> kThemes[] = {
+    {Display::Theme::System, "system"},
+    {Display::Theme::Light, "light"},
+    {Display::Theme::Dark, "dark"},
+    {Display::Theme::HighContrast, "high-contrast"}};
+
 }  // namespace
+
+std::optional<Display::Theme> Display::themeNamed(std::string_view name) {
+  for (const auto& [theme, known] : kThemes) {
+    if (name == known) return theme;
+  }
+  return std::nullopt;
+}
 
 Display::Display(QObject* parent) : QObject(parent) {}
 
@@ -45,6 +59,14 @@ void Display::setUiScale(double scale) {
 
 void Display::setProjector(bool on) { set(projector_, on); }
 
+void Display::setTheme(Theme theme) {
+  if (theme_ == theme) return;
+  theme_ = theme;
+  emit changed();
+}
+
+void Display::setWheelZooms(bool zooms) { set(wheelZooms_, zooms); }
+
 void Display::restore(const QSettings& settings) {
   for (const MarkKind kind : markKindsInLegendOrder()) {
     setShows(kind, settings.value(familyKey(kind), shows(kind)).toBool());
@@ -58,6 +80,10 @@ void Display::restore(const QSettings& settings) {
   };
   workScale_ = scale("display/scale", workScale_);
   projectorScale_ = scale("display/projector-scale", projectorScale_);
+  for (const auto& [theme, name] : kThemes) {
+    if (settings.value("display/theme").toString() == QLatin1String(name)) theme_ = theme;
+  }
+  wheelZooms_ = settings.value("display/wheel-zooms", wheelZooms_).toBool();
   emit changed();
 }
 
@@ -68,6 +94,10 @@ void Display::save(QSettings& settings) const {
   settings.setValue("display/hidden", hidden_);
   settings.setValue("display/scale", workScale_);
   settings.setValue("display/projector-scale", projectorScale_);
+  for (const auto& [theme, name] : kThemes) {
+    if (theme == theme_) settings.setValue("display/theme", QLatin1String(name));
+  }
+  settings.setValue("display/wheel-zooms", wheelZooms_);
 }
 
 }  // namespace flatland::ui

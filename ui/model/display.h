@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
+#include <string_view>
 
 #include "ui/export/mark_style.h"
 
@@ -42,6 +44,18 @@ class Display : public QObject {
   static constexpr double kLargestScale = 2.5;
   static constexpr double kProjectorScale = 1.6;  ///< until the person chooses another
 
+  /// The colours of the window; those of figures follow, see themePalette().
+  enum class Theme { System, Light, Dark, HighContrast };
+  /// "system", "light", "dark", "high-contrast"
+  static std::optional<Theme> themeNamed(std::string_view name);
+  Theme theme() const { return theme_; }
+  void setTheme(Theme theme);
+
+  /// What turning a mouse wheel over the canvas does; two fingers on a trackpad always move the
+  /// picture, and with Ctrl every wheel zooms.
+  bool wheelZooms() const { return wheelZooms_; }
+  void setWheelZooms(bool zooms);
+
   void restore(const QSettings& settings);
   void save(QSettings& settings) const;
 
@@ -55,6 +69,8 @@ class Display : public QObject {
   bool controlPolygon_ = true;
   bool hidden_ = true;
   bool projector_ = false;
+  Theme theme_ = Theme::System;
+  bool wheelZooms_ = true;
   double workScale_ = 1.0;
   double projectorScale_ = kProjectorScale;
 };

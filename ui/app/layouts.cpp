@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/layouts.h"
+
+#include <QMainWindow>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "ui/app/docks.h"
+#include "ui/model/display.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr int kVersion = 3;  ///< of saveState(): raise when docks change names
+
+QString nameOf(Layouts::Kind kind) {
+  switch (kind) {
+    case Layouts::Kind::Work:
+      return QStringLiteral("work");
+    case Layouts::Kind::Picture:
+      return QStringLiteral("picture");
+    case Layouts::Kind::Projector:
+      break;
+  }
+  return QStringLiteral("projector");
+}
+
+constexpr Layouts::Kind kKinds[] = {Layouts::Kind::Work, Layouts::Kind::Picture,
+                                    Layouts::Kind::Projector};
+
+}  // namespace
+
+std::optional<Layouts::Kind> Layouts::kindNamed(const QString& name) {
+  for (const Kind kind : kKinds) {
+    if (name == nameOf(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
+Layouts::Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& pictureBar)
+    : QObject(&window),
+      window_(window),
+      docks_(docks),
+      display_(display),
+      pictureBar_(pictureBar),
+      leave_(new QToolButton(window.statusBar())) {
+  leave_->setObjectName("projector.leave");
+  leave_->setText(tr("Esc leaves projector mode"));
+  leave_->setToolTip(tr("Back to the window as it was (Esc or F11)"));
+  connect(leave_, &QToolButton::clicked, this, [this] { use(beforeProjector_); });
+  window.statusBar()->addPermanentWidget(leave_);
+  leave_->hide();
+  arrange();
+}
+
+void Layouts::use(Kind kind) {
+  if (kind == current_) return;
+  states_[current_] = window_.saveState(kVersion);
+  const bool wasProjector = current_ == Kind::Projector;
+  if (kind == Kind::Projector) {
+    beforeProjector_ = current_;
+    geometry_ = window_.saveGeometry();
+  }
+  current_ = kind;
+  display_.setProjector(kind == Kind::Projector);
+  leave_->setVisible(kind == Kind::Projector);
+  if (kind == Kind::Projector) window_.showFullScreen();
+  if (wasProjector) {
+    window_.showNormal();
+    window_.restoreGeometry(geometry_);
+  }
+  enter(kind);
+  emit changed();
+}
+
+void Layouts::toggleProjector() {
+  use(current_ == Kind::Projector ? beforeProjector_ : Kind::Projector);
+}
+
+void Layouts::enter(Kind kind) {
+  const QByteArray state = states_.value(kind);
+  if (state.isEmpty() || !window_.restoreState(state, kVersion)) arrange();
+  pictureBar_.setVisible(kind == Kind::Picture);
+}
+
+void Layouts::arrange() {
+  switch (current_) {
+    case Kind::Work:
+      docks_.arrange();
+      break;
+    case Kind::Picture:
+      docks_.arrangeOnly({});
+      break;
+    case Kind::Projector:
+      docks_.arrangeOnly({"legend"});
+      break;
+  }
+  pictureBar_.setVisible(current_ == Kind::Picture);
+}
+
+void Layouts::restoreDefault() { arrange(); }
+
+void Layouts::restore(const QSettings& settings) {
+  for (const Kind kind : kKinds) {
+    states_[kind] = settings.value("window/layout-" + nameOf(kind)).toByteArray();
+  }
+  window_.restoreGeometry(settings.value("window/geometry").toByteArray());
+  const std::optional<Kind> kind = kindNamed(settings.value("window/layout").toString());
+  if (kind && *kind != Kind::Projector) current_ = *kind;
+  enter(current_);
+  emit changed();
+}
+
+void Layouts::save(QSettings& settings) const {
+  const bool projector = current_ == Kind::Projector;
+  settings.setValue("window/geometry", projector ? geometry_ : window_.saveGeometry());
+  settings.setValue("window/layout", nameOf(projector ? beforeProjector_ : current_));
+  for (const Kind kind : kKinds) {
+    const QByteArray state = kind == current_ ? window_.saveState(kVersion) : states_.value(kind);
+    if (!state.isEmpty()) settings.setValue("window/layout-" + nameOf(kind), state);
+  }
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QMap>
+#include <QObject>
+#include <optional>
+
+class QMainWindow;
+class QSettings;
+class QToolBar;
+class QToolButton;
+
+namespace flatland::ui {
+
+class Display;
+class Docks;
+
+/// The arrangements of the window. Each keeps what the person makes of it: which panels are open,
+/// where, and how large.
+class Layouts : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Kind {
+    Work,       ///< every panel
+    Picture,    ///< the canvas alone, with what an export needs in a tool bar
+    Projector,  ///< full screen, large type, canvas and legend
+  };
+
+  /// `pictureBar` is shown in the layout for pictures only.
+  Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& pictureBar);
+
+  /// "work", "picture", "projector"
+  static std::optional<Kind> kindNamed(const QString& name);
+
+  Kind current() const { return current_; }
+
+  /// Leaves the arrangement there is as it is, for the next time, and takes that of `kind` as it
+  /// was left. Leaving the projector brings back size and place of the window too.
+  void use(Kind kind);
+
+  /// Into projector mode, or out of it to the layout there was before.
+  void toggleProjector();
+
+  /// The current layout as on the first day.
+  void restoreDefault();
+
+  /// Arrangements that cannot be read (of another version, or damaged) count as not saved. The
+  /// projector is not restored: a window that fills the screen at the start would be a surprise.
+  void restore(const QSettings& settings);
+  void save(QSettings& settings) const;
+
+ signals:
+  void changed();
+
+ private:
+  void enter(Kind kind);
+  void arrange();
+
+  QMainWindow& window_;
+  Docks& docks_;
+  Display& display_;
+  QToolBar& pictureBar_;
+  QToolButton* leave_;  ///< says, in projector mode, how to leave it
+  Kind current_ = Kind::Work;
+  Kind beforeProjector_ = Kind::Work;
+  QByteArray geometry_;  ///< of the window before projector mode
+  QMap<Kind, QByteArray> states_;
+};
+
+}  // namespace flatland::ui
