@@ -41,6 +41,8 @@ ExportDialog::ExportDialog(const Document& document, const ExportSettings& setti
       height_(new QDoubleSpinBox(this)),
       unit_(new QComboBox(this)),
       dpi_(new QDoubleSpinBox(this)),
+      colours_(new QComboBox(this)),
+      scale_(new QDoubleSpinBox(this)),
       preview_(new QLabel(this)) {
   setObjectName("export");
   setWindowTitle(tr("Export picture"));
@@ -72,10 +74,10 @@ ExportDialog::ExportDialog(const Document& document, const ExportSettings& setti
 
   showUnit();
   read();
-  for (QComboBox* box : {format_, unit_}) {
+  for (QComboBox* box : {format_, unit_, colours_}) {
     connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::read);
   }
-  for (QDoubleSpinBox* box : {width_, height_, dpi_}) {
+  for (QDoubleSpinBox* box : {width_, height_, dpi_, scale_}) {
     connect(box, &QDoubleSpinBox::valueChanged, this, &ExportDialog::read);
   }
   for (QCheckBox* box : findChildren<QCheckBox*>()) {
@@ -108,6 +110,18 @@ QWidget* ExportDialog::buildSize() {
   dpi_->setDecimals(0);
   dpi_->setValue(settings_.dpi);
 
+  colours_->setObjectName("export.colours");
+  colours_->setToolTip(tr("For which background the colours are"));
+  colours_->addItem(tr("For white"), static_cast<int>(Palette::Light));
+  colours_->addItem(tr("For dark grey"), static_cast<int>(Palette::Dark));
+  colours_->addItem(tr("For black"), static_cast<int>(Palette::HighContrast));
+  colours_->setCurrentIndex(colours_->findData(static_cast<int>(settings_.figure.palette)));
+  scale_->setObjectName("export.scale");
+  scale_->setToolTip(tr("How much larger than usual marks, letters and lines are"));
+  scale_->setRange(ExportSettings::kSmallestScale, ExportSettings::kLargestScale);
+  scale_->setSingleStep(0.1);
+  scale_->setValue(settings_.figure.scale);
+
   auto* group = new QGroupBox(tr("File"), this);
   auto* form = new QFormLayout(group);
   form->addRow(tr("&Format"), format_);
@@ -115,6 +129,8 @@ QWidget* ExportDialog::buildSize() {
   form->addRow(tr("&Height"), height_);
   form->addRow(tr("&Unit"), unit_);
   form->addRow(tr("&Dots per inch"), dpi_);
+  form->addRow(tr("&Colours"), colours_);
+  form->addRow(tr("&Marks"), scale_);
   return group;
 }
 
@@ -177,6 +193,8 @@ void ExportDialog::read() {
   figure.controlPolygon = controlPolygon_->isChecked();
   figure.hidden =
       hidden_->isChecked() ? FlatFigureOptions::Hidden::Pale : FlatFigureOptions::Hidden::Remove;
+  figure.palette = static_cast<Palette>(colours_->currentData().toInt());
+  figure.scale = scale_->value();
   figure.transparent = transparent_->isChecked();
   showPreview();
 }

@@ -40,6 +40,8 @@ class ExportDialog : public QDialog {
   QDoubleSpinBox* height_;
   QComboBox* unit_;
   QDoubleSpinBox* dpi_;
+  QComboBox* colours_;
+  QDoubleSpinBox* scale_;
   QCheckBox* transparent_;
   QCheckBox* letters_;
   QCheckBox* legend_;

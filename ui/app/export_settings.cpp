@@ -10,6 +10,7 @@
 #include "ui/app/paths.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/figure_writers.h"
+#include "ui/model/core_words.h"
 
 namespace flatland::ui {
 
@@ -60,6 +61,10 @@ void ExportSettings::restore(const QSettings& settings) {
   figure.controlPolygon = settings.value(key("control-polygon"), figure.controlPolygon).toBool();
   figure.hidden = settings.value(key("hidden"), true).toBool() ? FlatFigureOptions::Hidden::Pale
                                                                : FlatFigureOptions::Hidden::Remove;
+  const int colours = settings.value(key("colours"), static_cast<int>(figure.palette)).toInt();
+  figure.palette =
+      static_cast<Palette>(std::clamp(colours, 0, static_cast<int>(Palette::HighContrast)));
+  figure.scale = numberIn(settings, "scale", kSmallestScale, kLargestScale, figure.scale);
   for (const MarkKind kind : markKindsInLegendOrder()) {
     const auto i = static_cast<std::size_t>(kind);
     figure.kinds[i] = settings.value(key(kind), figure.kinds.test(i)).toBool();
@@ -77,6 +82,8 @@ void ExportSettings::save(QSettings& settings) const {
   settings.setValue(key("legend"), figure.legend);
   settings.setValue(key("control-polygon"), figure.controlPolygon);
   settings.setValue(key("hidden"), figure.hidden == FlatFigureOptions::Hidden::Pale);
+  settings.setValue(key("colours"), static_cast<int>(figure.palette));
+  settings.setValue(key("scale"), figure.scale);
   for (const MarkKind kind : markKindsInLegendOrder()) {
     settings.setValue(key(kind), contains(figure.kinds, kind));
   }
@@ -100,6 +107,7 @@ Figure exportedFigure(const Document& document, const ExportSettings& settings) 
   FlatFigureOptions options = settings.figure;
   options.width = settings.widthPx;
   options.height = settings.heightPx;
+  options.words = [](const std::string& english) { return coreWords(english).toStdString(); };
   return flatFigure(document.scene(), document.features(), document.visibility(), options);
 }
 

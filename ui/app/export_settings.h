@@ -24,6 +24,7 @@ struct ExportSettings {
   FlatFigureOptions figure;  ///< its size is set from the above
 
   static constexpr double kPxPerCm = 96.0 / 2.54;
+  static constexpr double kSmallestScale = 0.5, kLargestScale = 4.0;  ///< of marks and lines
 
   void restore(const QSettings& settings);
   void save(QSettings& settings) const;

@@ -3,9 +3,11 @@
 
 #include <QApplication>
 #include <QHeaderView>
+#include <QStyle>
 #include <QTableView>
 
 #include "ui/app/focus_frame.h"
+#include "ui/app/outline_style.h"
 #include "ui/export/figure_qt.h"
 
 namespace flatland::ui {
@@ -101,6 +103,7 @@ Look::Look(const Display& display, QObject* parent)
     : QObject(parent),
       display_(display),
       system_(QApplication::palette()),
+      systemStyle_(QApplication::style()->objectName()),
       font_(QApplication::font()) {
   new FocusFrame(this);
   connect(&display_, &Display::changed, this, &Look::apply);
@@ -108,13 +111,24 @@ Look::Look(const Display& display, QObject* parent)
 }
 
 Look::~Look() {
-  if (scale_ != 1.0) QApplication::setFont(font_);
-  if (theme_ != Display::Theme::System) QApplication::setPalette(system_);
+  if (scale_ != 1.0) {
+    QApplication::setFont(font_);
+    QApplication::setFont(font_, "QDockWidgetTitle");
+  }
+  if (theme_ == Display::Theme::System) return;
+  QApplication::setStyle(systemStyle_);
+  QApplication::setPalette(system_);
 }
 
 void Look::apply() {
   if (const Display::Theme theme = display_.theme(); theme != theme_) {
     theme_ = theme;
+    const bool dark = theme == Display::Theme::Dark || theme == Display::Theme::HighContrast;
+    if (dark) {
+      QApplication::setStyle(new OutlineStyle);
+    } else {
+      QApplication::setStyle(systemStyle_);
+    }
     QApplication::setPalette(paletteFor(theme, system_));
   }
   const double scale = display_.uiScale();
@@ -128,6 +142,7 @@ void Look::apply() {
   const double factor = scale / scale_;
   scale_ = scale;
   QApplication::setFont(font);
+  QApplication::setFont(font, "QDockWidgetTitle");
   scaleTables(factor);
 }
 

@@ -24,6 +24,7 @@ class Look : public QObject {
 
   const Display& display_;
   QPalette system_;
+  QString systemStyle_;
   QFont font_;
   Display::Theme theme_ = Display::Theme::System;
   double scale_ = 1.0;

@@ -110,6 +110,9 @@ void MainWindow::connectParts() {
   connect(canvas_, &FlatCanvas::pointerAt, status_, [this](const std::optional<Vec2>& world) {
     status_->showPointer(world, viewport_.scale());
   });
+  connect(status_, &StatusLine::placePicked, &viewport_, &Viewport::centreOn);
+  connect(&display_, &Display::changed, status_,
+          [this] { status_->setFewFields(display_.isProjector()); });
   connect(edits_, &EditController::refused, status_, &StatusLine::say);
   connect(&document_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
   connect(&document_, &Document::changed, this, [this](const Change& change) {

@@ -1,45 +1,97 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/status_line.h"
 
+#include <QEvent>
 #include <QLabel>
+#include <QMenu>
+#include <QPainter>
 #include <QStatusBar>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
+
+#include "flatland/features/orientation.h"
+#include "ui/model/core_words.h"
+#include "ui/model/mark_words.h"
 
 namespace flatland::ui {
 
 namespace {
 
 constexpr int kSayMilliseconds = 6000;
+constexpr std::size_t kPlacesListed = 30;
+
+/// Text that ends in dots where there is no room for all of it.
+class ElidedLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+  }
+};
 
 }  // namespace
 
 StatusLine::StatusLine(QStatusBar& bar, const Document& document)
-    : QObject(&bar), bar_(bar), document_(document), hint_(new QLabel(&bar)) {
+    : QObject(&bar), bar_(bar), document_(document), hint_(new ElidedLabel(&bar)) {
   hint_->setObjectName("status.hint");
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // never widens the window
   bar.addWidget(hint_, 1);
-  pointer_ = addField("status.pointer", "-000.0000, -000.0000", tr("Where the pointer is"));
-  view_ = addField("status.view", tr("View %1").arg("-000.0°, 0000.00"),
-                   tr("Direction, and in perspective distance, of the viewer"));
-  marks_ = addField("status.marks", tr("all %1 marks certified").arg("000"),
-                    tr("Whether every mark was found and none invented, with certified signs"));
-  time_ =
-      addField("status.time", tr("%1 ms").arg("000.00"), tr("Time of the last search for marks"));
-  connect(&document, &Document::changed, this, [this](const Change& change) {
-    if (change.touchesScene()) showScene();
-  });
+  pointer_ = addField("status.pointer", tr("Where the pointer is"));
+  view_ = addField("status.view", tr("Direction, and in perspective distance, of the viewer"));
+  marks_ = new QToolButton(&bar);
+  marks_->setObjectName("status.marks");
+  marks_->setAutoRaise(true);
+  marks_->setToolTip(
+      tr("Whether every mark was found and none invented, with certified signs. A "
+         "click lists the places where that could not be decided."));
+  places_ = new QMenu(marks_);
+  places_->setObjectName("status.places");
+  connect(places_, &QMenu::aboutToShow, this, &StatusLine::listPlaces);
+  marks_->setMenu(places_);
+  marks_->setPopupMode(QToolButton::InstantPopup);
+  bar.addPermanentWidget(marks_);
+  time_ = addField("status.time", tr("Time of the last search for marks"));
+  fitFields();
+  bar.installEventFilter(this);
+  connect(&document, &Document::changed, this, &StatusLine::changed);
+  watchSides(false);
   showScene();
 }
 
-QLabel* StatusLine::addField(const char* id, const QString& widest, const QString& tip) {
+QLabel* StatusLine::addField(const char* id, const QString& tip) {
   auto* label = new QLabel(&bar_);
   label->setObjectName(id);
   label->setToolTip(tip);
   label->setAlignment(Qt::AlignCenter);
-  label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
   bar_.addPermanentWidget(label);
   return label;
+}
+
+void StatusLine::fitFields() {
+  const QFontMetrics metrics = bar_.fontMetrics();
+  const auto fit = [&metrics](QWidget* field, const QString& widest) {
+    field->setMinimumWidth(metrics.horizontalAdvance(widest) + 8);
+  };
+  fit(pointer_, "-000.0000, -000.0000");
+  fit(view_, tr("View %1").arg("-000.0°, 0000.00"));
+  fit(marks_, tr("all %n marks certified", nullptr, 100));
+  fit(time_, tr("%1 ms").arg("000.00"));
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FontChange) fitFields();
+  return QObject::eventFilter(watched, event);
+}
+
+void StatusLine::setFewFields(bool few) {
+  pointer_->setVisible(!few);
+  time_->setVisible(!few);
 }
 
 void StatusLine::showHint(const QString& text) { hint_->setText(text); }
@@ -56,17 +108,68 @@ void StatusLine::showPointer(const std::optional<Vec2>& world, double scale) {
       QStringLiteral("%1, %2").arg(world->x(), 0, 'f', decimals).arg(world->y(), 0, 'f', decimals));
 }
 
+void StatusLine::changed(const Change& change) {
+  if (!change.touchesScene()) return;
+  watchSides(change.what == Change::What::View);
+  showScene();
+}
+
+void StatusLine::watchSides(bool onlyTheViewTurned) {
+  const Scene& scene = document_.scene();
+  const ViewFrame frame = frameOf(scene.view);
+  std::vector<int> sides;
+  for (const SceneCurve& curve : scene.curves) sides.push_back(normalSide(curve, frame));
+  const bool exchanged = onlyTheViewTurned && sides != sides_;
+  sides_ = std::move(sides);
+  if (exchanged) {
+    say(
+        tr("Ridges and valleys exchange names: the viewer has passed the line through the ends of "
+           "the curve and sees its other side."));
+  }
+}
+
 void StatusLine::showScene() {
   const FeatureSet& features = document_.features();
   const View& view = document_.scene().view;
   const QString angle = tr("%1°").arg(normalizedDeg(view.angleDeg), 0, 'f', 1);
   view_->setText(view.distance ? tr("View %1, %2").arg(angle).arg(*view.distance, 0, 'g', 6)
                                : tr("View %1").arg(angle));
-  marks_->setText(features.complete() ? tr("all %1 marks certified").arg(features.marks.size())
-                                      : tr("%1 marks, %2 places unresolved")
-                                            .arg(features.marks.size())
-                                            .arg(features.unresolved.size()));
+  const int marks = static_cast<int>(features.marks.size());
+  const int places = static_cast<int>(features.unresolved.size());
+  marks_->setText(features.complete() ? tr("all %n marks certified", nullptr, marks)
+                                      : tr("%n places unresolved", nullptr, places));
+  marks_->setAccessibleName(marks_->text());
   time_->setText(tr("%1 ms").arg(document_.featureMilliseconds(), 0, 'f', 2));
+}
+
+void StatusLine::listPlaces() {
+  places_->clear();
+  const std::vector<Unresolved>& unresolved = document_.features().unresolved;
+  if (unresolved.empty()) {
+    places_->addAction(tr("Every mark was found and none is invented: nothing is left open."))
+        ->setEnabled(false);
+  }
+  for (std::size_t i = 0; i < std::min(unresolved.size(), kPlacesListed); ++i) {
+    const Unresolved& place = unresolved[i];
+    QAction* action = places_->addAction(
+        tr("%1, curve %2, t from %3 to %4: %5")
+            .arg(nameForPeople(place.kind))
+            .arg(place.curve)
+            .arg(place.tLow, 0, 'g', 8)
+            .arg(place.tHigh, 0, 'g', 8)
+            .arg(coreWords(place.reason)),
+        this, [this, curve = place.curve, t = 0.5 * (place.tLow + place.tHigh)] {
+          const auto& curves = document_.scene().curves;
+          if (static_cast<std::size_t>(curve) >= curves.size()) return;
+          emit placePicked(pointAt(curves[static_cast<std::size_t>(curve)].shape, t));
+        });
+    action->setToolTip(tr("Bring the place to the middle of the canvas"));
+  }
+  if (unresolved.size() > kPlacesListed) {
+    places_
+        ->addAction(tr("and %n more", nullptr, static_cast<int>(unresolved.size() - kPlacesListed)))
+        ->setEnabled(false);
+  }
 }
 
 }  // namespace flatland::ui

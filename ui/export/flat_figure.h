@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "flatland/features/features.h"
 #include "flatland/screen/visibility.h"
@@ -41,6 +43,8 @@ struct FlatFigureOptions {
   bool letters = true;
   bool legend = true;
   bool transparent = false;
+  /// Turns the legend's English into the reader's language; empty: as it is.
+  std::function<std::string(const std::string&)> words;
 };
 
 /// The screen as it is drawn: the points s axis + offset towards of the view's frame, s from `low`

@@ -22,13 +22,22 @@ struct Entry {
   double x, y;  // of the symbol's middle, or of the text's start; y from the legend's top
 };
 
-std::string viewText(const View& view) {
-  char text[96];
+std::string inWords(const FlatFigureOptions& options, const std::string& english) {
+  return options.words ? options.words(english) : english;
+}
+
+/// The text with the first "%1" replaced.
+std::string filledIn(std::string text, const char* format, double value) {
+  char number[32];
+  std::snprintf(number, sizeof number, format, value);
+  const std::size_t at = text.find("%1");
+  return at == std::string::npos ? text : text.replace(at, 2, number);
+}
+
+std::string viewText(const View& view, const FlatFigureOptions& options) {
+  std::string text = filledIn(inWords(options, "seen from %1"), "%.6g\u00b0", view.angleDeg);
   if (view.distance) {
-    std::snprintf(text, sizeof text, "seen from %.6g\u00b0, at distance %.6g", view.angleDeg,
-                  *view.distance);
-  } else {
-    std::snprintf(text, sizeof text, "seen from %.6g\u00b0", view.angleDeg);
+    text += ", " + filledIn(inWords(options, "at distance %1"), "%.6g", *view.distance);
   }
   return text;
 }
@@ -55,10 +64,14 @@ Rows rowsOf(const Scene& scene, const FlatFigureOptions& options) {
     x += width + kGapPx;
   };
   for (const MarkKind kind : markKindsInLegendOrder()) {
-    if (contains(options.kinds, kind)) add(kind, std::string(styleOf(kind).name));
+    if (contains(options.kinds, kind)) {
+      add(kind, inWords(options, std::string(styleOf(kind).name)));
+    }
   }
-  if (options.hidden == FlatFigureOptions::Hidden::Pale) add(std::nullopt, "paler: hidden");
-  add(std::nullopt, viewText(scene.view));
+  if (options.hidden == FlatFigureOptions::Hidden::Pale) {
+    add(std::nullopt, inWords(options, "paler: hidden"));
+  }
+  add(std::nullopt, viewText(scene.view, options));
   rows.height = y + 0.5 * kRowPx;
   return rows;
 }

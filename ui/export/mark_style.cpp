@@ -92,6 +92,19 @@ const Styles& darkStyles() {
   return kStyles;
 }
 
+/// Lighter still, for black.
+const Styles& highContrastStyles() {
+  static const Styles kStyles = [] {
+    Styles styles = darkStyles();
+    for (MarkStyle& style : styles) {
+      style.colour = style.letterColour;
+      style.lineWidth *= 1.25;
+    }
+    return styles;
+  }();
+  return kStyles;
+}
+
 PathData polygon(const Vec2& centre, std::initializer_list<Vec2> corners) {
   PathData path;
   for (const Vec2& corner : corners) {
@@ -114,7 +127,9 @@ PathData bar(const Vec2& centre, double length, double thickness, double alongRa
 }  // namespace
 
 const MarkStyle& styleOf(MarkKind kind, Palette palette) {
-  const Styles& styles = palette == Palette::Light ? lightStyles() : darkStyles();
+  const Styles& styles = palette == Palette::Light  ? lightStyles()
+                         : palette == Palette::Dark ? darkStyles()
+                                                    : highContrastStyles();
   return styles[static_cast<std::size_t>(kind)];
 }
 
@@ -144,7 +159,13 @@ const SceneColours& sceneColours(Palette palette) {
                                   .screen = kGreen,
                                   .text = {0xE4, 0xE4, 0xE4},
                                   .faint = {0x50, 0x50, 0x58}};
-  return palette == Palette::Light ? kLight : kDark;
+  static const SceneColours kHighContrast{.background = {0x00, 0x00, 0x00},
+                                          .curve = {0xFF, 0xFF, 0xFF},
+                                          .controlPolygon = {0xB0, 0xB0, 0xB0},
+                                          .screen = {0x2F, 0xC7, 0x9B},
+                                          .text = {0xFF, 0xFF, 0xFF},
+                                          .faint = {0x80, 0x80, 0x80}};
+  return palette == Palette::Light ? kLight : palette == Palette::Dark ? kDark : kHighContrast;
 }
 
 Rgb paler(Rgb colour, Rgb background) {

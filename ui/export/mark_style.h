@@ -11,8 +11,8 @@
 
 namespace flatland::ui {
 
-/// Background the colours are meant for.
-enum class Palette { Light, Dark };
+/// Background the colours are meant for: white, dark grey, black.
+enum class Palette { Light, Dark, HighContrast };
 
 /// The shape a family of marks has wherever it is drawn; colour is never the only difference.
 enum class MarkSymbol { Dot, Diamond, Triangle, TriangleDown, OpenSquare, Square, Bar, OpenBar };

@@ -9,6 +9,7 @@
 
 #include "ui/commands/curve_commands.h"
 #include "ui/flat/canvas_painter.h"
+#include "ui/flat/scene_summary.h"
 
 namespace flatland::ui {
 
@@ -33,9 +34,7 @@ FlatCanvas::FlatCanvas(const CanvasModels& models, QWidget* parent)
     : QWidget(parent), models_(models) {
   setObjectName("canvas");
   setAccessibleName(tr("Canvas"));
-  setAccessibleDescription(
-      tr("The curve with its control points, the view handle, the screen and the marks. Tab steps "
-         "through the points, arrow keys move them, F6 goes on to the panels."));
+  setAccessibleDescription(sceneSummary(models_.document));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setProperty("drawsFocus", true);
@@ -63,6 +62,7 @@ void FlatCanvas::documentChanged(const Change& change) {
   hovered_ = {};  // what was there may have moved away
   if (!gesture_) showHint();
   if (change.what == Change::What::Scene) fit();
+  setAccessibleDescription(sceneSummary(models_.document));
   update();
 }
 

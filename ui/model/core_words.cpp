@@ -10,6 +10,18 @@ namespace {
 // Only for lupdate, which collects the words to translate. A test holds the list against what the
 // libraries say.
 [[maybe_unused]] constexpr const char* kListed[] = {
+    // ui/export/flat_legend.cpp, mark_style.cpp
+    QT_TRANSLATE_NOOP("Core", "seen from %1"),
+    QT_TRANSLATE_NOOP("Core", "at distance %1"),
+    QT_TRANSLATE_NOOP("Core", "paler: hidden"),
+    QT_TRANSLATE_NOOP("Core", "Silhouette"),
+    QT_TRANSLATE_NOOP("Core", "Inflection"),
+    QT_TRANSLATE_NOOP("Core", "Ridge"),
+    QT_TRANSLATE_NOOP("Core", "Valley"),
+    QT_TRANSLATE_NOOP("Core", "Flat point"),
+    QT_TRANSLATE_NOOP("Core", "Corner"),
+    QT_TRANSLATE_NOOP("Core", "Apparent ridge"),
+    QT_TRANSLATE_NOOP("Core", "Apparent minimum"),
     // flatland/scene/presets.cpp
     QT_TRANSLATE_NOOP("Core", "Thesis figure 3-4"),
     QT_TRANSLATE_NOOP("Core",

@@ -6,10 +6,13 @@
 
 namespace flatland::ui {
 
-Palette themePalette() {
+Palette figurePaletteOf(const QPalette& palette) {
   constexpr int kMiddle = 128;
-  const bool dark = QGuiApplication::palette().color(QPalette::Base).lightness() < kMiddle;
-  return dark ? Palette::Dark : Palette::Light;
+  const QColor base = palette.color(QPalette::Base);
+  if (base == Qt::black) return Palette::HighContrast;
+  return base.lightness() < kMiddle ? Palette::Dark : Palette::Light;
 }
+
+Palette themePalette() { return figurePaletteOf(QGuiApplication::palette()); }
 
 }  // namespace flatland::ui

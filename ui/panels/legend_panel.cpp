@@ -2,6 +2,7 @@
 #include "ui/panels/legend_panel.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPalette>
@@ -21,11 +22,7 @@ QString idOf(MarkKind kind) {
 }
 
 QLabel* letterLabel(MarkKind kind) {
-  const MarkStyle& style = styleOf(kind, themePalette());
-  auto* label = new QLabel(QString(QLatin1Char(style.letter)));
-  QPalette palette = label->palette();
-  palette.setColor(QPalette::WindowText, toQColor(style.letterColour));
-  label->setPalette(palette);
+  auto* label = new QLabel(QString(QLatin1Char(styleOf(kind).letter)));
   QFont font = label->font();
   font.setBold(true);
   label->setFont(font);
@@ -45,7 +42,6 @@ LegendPanel::LegendPanel(const Document& document, Display& display, QWidget* pa
     const auto i = static_cast<std::size_t>(kind);
     auto* box = new QCheckBox(pluralForPeople(kind), this);
     box->setObjectName("legend." + idOf(kind));
-    box->setIcon(markIcon(kind));
     box->setToolTip(explanation(kind));
     connect(box, &QCheckBox::toggled, this, [this, kind](bool on) { display_.setShows(kind, on); });
     switches_[i] = box;
@@ -54,7 +50,8 @@ LegendPanel::LegendPanel(const Document& document, Display& display, QWidget* pa
     counts_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     counts_[i]->setMinimumWidth(counts_[i]->fontMetrics().horizontalAdvance("000"));
     grid->addWidget(box, row, 0);
-    grid->addWidget(letterLabel(kind), row, 1);
+    letters_[i] = letterLabel(kind);
+    grid->addWidget(letters_[i], row, 1);
     grid->addWidget(counts_[i], row, 2);
     ++row;
   }
@@ -70,8 +67,27 @@ LegendPanel::LegendPanel(const Document& document, Display& display, QWidget* pa
     if (change.touchesScene()) showCounts();
   });
   connect(&display_, &Display::changed, this, &LegendPanel::showSwitches);
+  showColours();
   showCounts();
   showSwitches();
+}
+
+void LegendPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) showColours();
+  QWidget::changeEvent(event);
+}
+
+void LegendPanel::showColours() {
+  for (const MarkKind kind : markKindsInLegendOrder()) {
+    const auto i = static_cast<std::size_t>(kind);
+    if (!letters_[i]) return;  // too early: under construction
+    switches_[i]->setIcon(markIcon(kind));
+    const int side = switches_[i]->fontMetrics().height();
+    switches_[i]->setIconSize({side, side});
+    QPalette palette;
+    palette.setColor(QPalette::WindowText, toQColor(styleOf(kind, themePalette()).letterColour));
+    letters_[i]->setPalette(palette);
+  }
 }
 
 void LegendPanel::showCounts() {

@@ -20,12 +20,15 @@ class LegendPanel : public QWidget {
   LegendPanel(const Document& document, Display& display, QWidget* parent = nullptr);
 
  private:
+  void changeEvent(QEvent* event) override;
+  void showColours();  ///< icons and letters in those of the theme, icons as large as the text
   void showCounts();
   void showSwitches();
 
   const Document& document_;
   Display& display_;
   std::array<QCheckBox*, kMarkKindCount> switches_{};
+  std::array<QLabel*, kMarkKindCount> letters_{};
   std::array<QLabel*, kMarkKindCount> counts_{};
   QCheckBox* hidden_;
 };

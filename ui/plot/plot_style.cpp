@@ -28,13 +28,9 @@ void styleAxis(QCPAxis& axis, const PlotColours& colours, const QFont& font) {
 
 }  // namespace
 
-Palette figurePaletteOf(const QPalette& palette) {
-  return palette.color(QPalette::Base).lightness() < 128 ? Palette::Dark : Palette::Light;
-}
-
 PlotColours plotColours(Palette palette) {
   const SceneColours& scene = sceneColours(palette);
-  const bool dark = palette == Palette::Dark;
+  const bool dark = palette != Palette::Light;
   return {.background = toQColor(scene.background),
           .text = toQColor(scene.text),
           .grid = toQColor(paler(scene.faint, scene.background)),

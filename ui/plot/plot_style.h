@@ -5,13 +5,11 @@
 #include <QPalette>
 
 #include "ui/export/mark_style.h"
+#include "ui/model/theme.h"
 
 class QCustomPlot;
 
 namespace flatland::ui {
-
-/// Which colours of mark_style.h fit a theme: those for a dark background if its base is dark.
-Palette figurePaletteOf(const QPalette& palette);
 
 /// The line colours of a plot beside the families of marks: Okabe-Ito, told apart by dash as well.
 struct PlotColours {
