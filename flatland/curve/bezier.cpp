@@ -39,7 +39,7 @@ Vec2 pointAt(const Bezier& curve, double t) {
   return b.front();
 }
 
-Jet jetAt(const Bezier& curve, double t) {
+std::array<Vec2, 5> derivativesAt(const Bezier& curve, double t) {
   assert(!curve.points.empty());
   // The last rows of the de Casteljau triangle give the derivatives as scaled differences. Taken
   // relative to the first point, so that a curve far from the origin does not lose its digits.
@@ -48,23 +48,36 @@ Jet jetAt(const Bezier& curve, double t) {
   for (Vec2& p : b) p -= origin;
   const int n = curve.degree();
   std::size_t count = b.size();
-  Jet jet{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
-  for (; count > 4; --count) blend(b, count, t);
+  std::array<Vec2, 5> d;
+  d.fill(Vec2::Zero());
+  const auto second = [&b](std::size_t i) -> Vec2 {
+    return b[i + 2] - b[i + 1] - (b[i + 1] - b[i]);
+  };
+  for (; count > 5; --count) blend(b, count, t);
+  if (count == 5) {
+    const double factor = 1.0 * n * (n - 1) * (n - 2) * (n - 3);
+    d[4] = factor * (second(2) - second(1) - (second(1) - second(0)));
+    blend(b, count--, t);
+  }
   if (count == 4) {
-    jet.d3 =
-        n * (n - 1) * (n - 2) * (b[3] - b[2] - (b[2] - b[1]) - ((b[2] - b[1]) - (b[1] - b[0])));
+    d[3] = n * (n - 1) * (n - 2) * (second(1) - second(0));
     blend(b, count--, t);
   }
   if (count == 3) {
-    jet.d2 = n * (n - 1) * ((b[2] - b[1]) - (b[1] - b[0]));
+    d[2] = n * (n - 1) * second(0);
     blend(b, count--, t);
   }
   if (count == 2) {
-    jet.d1 = n * (b[1] - b[0]);
+    d[1] = n * (b[1] - b[0]);
     blend(b, count--, t);
   }
-  jet.p = origin + b[0];
-  return jet;
+  d[0] = origin + b[0];
+  return d;
+}
+
+Jet jetAt(const Bezier& curve, double t) {
+  const std::array<Vec2, 5> d = derivativesAt(curve, t);
+  return {d[0], d[1], d[2], d[3]};
 }
 
 std::pair<Bezier, Bezier> splitAt(const Bezier& curve, double t) {

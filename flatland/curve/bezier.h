@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,9 @@ Vec2 pointAt(const Bezier& curve, double t);
 
 /// Point and derivatives to order 3 at t. Derivatives beyond the degree are zero.
 Jet jetAt(const Bezier& curve, double t);
+
+/// The same to order 4; element k is the k-th derivative.
+std::array<Vec2, 5> derivativesAt(const Bezier& curve, double t);
 
 /// The two halves [0, t] and [t, 1], each of the same degree and together the same set of points.
 /// The last point of the first equals the first point of the second, bit for bit.

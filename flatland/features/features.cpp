@@ -111,7 +111,13 @@ FeatureSet findFeatures(const Scene& scene) {
   FeatureSet result;
   for (int i = 0; i < static_cast<int>(scene.curves.size()); ++i) {
     const SceneCurve& curve = scene.curves[static_cast<std::size_t>(i)];
-    const BezierChain& chain = curve.chain();
+    const BezierChain* form = bezierForm(curve.shape);
+    if (!form) {
+      result.unresolved.push_back({MarkKind::Silhouette, i, 0.0, pieceCount(curve.shape) + 0.0,
+                                   "marks of this kind of curve are not computed"});
+      continue;
+    }
+    const BezierChain& chain = *form;
     const int side = normalSide(curve, frame);
     const double length = controlPolygonLength(chain);
     if (length > kLargestExtent || (length > 0.0 && length < 1.0 / kLargestExtent)) {

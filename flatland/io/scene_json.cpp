@@ -229,6 +229,9 @@ std::string pointsText(const std::vector<Vec2>& points, const std::string& path,
 }
 
 std::string curveText(const SceneCurve& curve, const std::string& path) {
+  if (!std::holds_alternative<BezierChain>(curve.shape)) {
+    throw InputError("", path, "this kind of curve cannot be saved yet");
+  }
   const BezierChain& chain = curve.chain();
   if (chain.degree() > kHighestDegree) {
     throw InputError("", path, degreeTooHigh(static_cast<std::size_t>(chain.degree())));

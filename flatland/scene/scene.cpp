@@ -7,11 +7,10 @@ Bounds boundsOf(const Scene& scene) {
   Bounds bounds{Vec2::Zero(), Vec2::Zero()};
   bool first = true;
   for (const SceneCurve& curve : scene.curves) {
-    for (const Vec2& p : curve.chain().points()) {
-      bounds.low = first ? p : bounds.low.cwiseMin(p);
-      bounds.high = first ? p : bounds.high.cwiseMax(p);
-      first = false;
-    }
+    const Bounds box = boundsOf(curve.shape);
+    bounds.low = first ? box.low : bounds.low.cwiseMin(box.low);
+    bounds.high = first ? box.high : bounds.high.cwiseMax(box.high);
+    first = false;
   }
   return bounds;
 }

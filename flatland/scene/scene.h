@@ -45,12 +45,7 @@ const std::vector<Preset>& presets();
 /// presets().front().scene
 const Scene& defaultScene();
 
-/// Axis-aligned box around all control points; {0,0}-{0,0} for a scene without points.
-struct Bounds {
-  Vec2 low, high;
-  Vec2 centre() const { return 0.5 * (low + high); }
-  double diagonal() const { return (high - low).norm(); }
-};
+/// Box around all curves and control points; {0,0}-{0,0} for a scene without curves.
 Bounds boundsOf(const Scene& scene);
 
 }  // namespace flatland

@@ -187,7 +187,11 @@ Sweep sweepOf(const Scene& scene) {
   Sweep result;
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
     const SceneCurve& curve = scene.curves[i];
-    CurveSweeper(static_cast<int>(i), curve.chain(), normalSide(curve, frame), result).run();
+    if (const BezierChain* chain = bezierForm(curve.shape)) {
+      CurveSweeper(static_cast<int>(i), *chain, normalSide(curve, frame), result).run();
+    } else {
+      result.complete = false;  // not computed for this kind of curve
+    }
   }
   std::sort(result.events.begin(), result.events.end(),
             [](const SweepEvent& a, const SweepEvent& b) {

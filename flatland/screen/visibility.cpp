@@ -41,8 +41,8 @@ struct Part {
 
 struct Visibility::Parts {
   ViewFrame frame;
-  std::vector<BezierChain> chains;
-  std::vector<std::vector<Bezier>> pieces;  ///< of each chain
+  std::vector<Curve> curves;
+  std::vector<std::vector<Bezier>> pieces;  ///< of each curve; none without a Bezier form
   std::vector<Part> parts;
   double size = 1.0;
   std::mutex mutex;  ///< for the intervals, found when first asked for
@@ -141,9 +141,9 @@ struct Visibility::Parts {
       return x >= part.piece + part.low - kSameParameter &&
              x <= part.piece + part.high + kSameParameter;
     };
-    const BezierChain& chain = chains[static_cast<std::size_t>(curve)];
-    const double period = chain.pieceCount();
-    return near(t) || (chain.closed() && (near(t - period) || near(t + period)));
+    const Curve& shape = curves[static_cast<std::size_t>(curve)];
+    const double period = pieceCount(shape);
+    return near(t) || (isClosed(shape) && (near(t - period) || near(t + period)));
   }
 
   // Seen along itself, to within rounding: all of it lies on one line of sight.
@@ -173,8 +173,13 @@ Visibility::Visibility(const Scene& scene) : parts_(std::make_unique<Parts>()) {
   const Bounds bounds = boundsOf(scene);
   if (bounds.diagonal() > 0.0) parts_->size = bounds.diagonal();
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
-    parts_->chains.push_back(scene.curves[i].chain());
-    parts_->add(static_cast<int>(i), scene.curves[i].chain());
+    // Curves without a Bezier form hide nothing and count as seen.
+    parts_->curves.push_back(scene.curves[i].shape);
+    if (const BezierChain* chain = bezierForm(scene.curves[i].shape)) {
+      parts_->add(static_cast<int>(i), *chain);
+    } else {
+      parts_->pieces.emplace_back();
+    }
   }
   parts_->intervals.resize(scene.curves.size());
 }
@@ -184,7 +189,7 @@ Visibility::Visibility(Visibility&&) noexcept = default;
 Visibility& Visibility::operator=(Visibility&&) noexcept = default;
 
 bool Visibility::isVisible(int curve, double t) const {
-  const Vec2 q = pointAt(parts_->chains[static_cast<std::size_t>(curve)], t);
+  const Vec2 q = pointAt(parts_->curves[static_cast<std::size_t>(curve)], t);
   const auto image = screenCoordinate(parts_->frame, q);
   if (!image) return false;
   for (const Part& part : parts_->parts) {
@@ -204,6 +209,8 @@ const std::vector<Visibility::Interval>& Visibility::visibleIntervals(int curve)
 std::vector<Visibility::Interval> Visibility::findVisibleIntervals(int curve) const {
   // Visibility changes where the image of a fold or end passes, and where curves cross.
   const Parts& all = *parts_;
+  const Curve& shape = all.curves[static_cast<std::size_t>(curve)];
+  if (!bezierForm(shape)) return {{0.0, pieceCount(shape) + 0.0}};
   std::vector<Vec2> edges;
   for (const Part& part : all.parts) {
     edges.push_back(all.point(part, part.low));

@@ -29,7 +29,7 @@ void EditController::addCurve() {
   models_.document.push(std::make_unique<AddCurve>(models_.document, curve));
   const std::size_t index = models_.document.scene().curves.size() - 1;
   std::set<PointRef> points;
-  for (std::size_t i = 0; i < curve.chain().points().size(); ++i) points.insert({index, i});
+  for (std::size_t i = 0; i < controlPoints(curve.shape).size(); ++i) points.insert({index, i});
   models_.selection.setPoints(std::move(points));
 }
 
@@ -43,7 +43,12 @@ void EditController::removeCurve() {
 void EditController::raiseDegree() {
   const auto curve = models_.selection.currentCurve();
   if (!curve) return;
-  if (models_.document.scene().curves[*curve].chain().degree() >= kMaxDegree) {
+  const Curve& shape = models_.document.scene().curves[*curve].shape;
+  if (const EditResult raised = withRaisedDegree(shape); !raised.curve) {
+    emit refused(QString::fromStdString(raised.reason));
+    return;
+  }
+  if (degreeOf(shape) >= kMaxDegree) {
     emit refused(tr("The curve has degree %1 already, the highest that can be edited here.")
                      .arg(kMaxDegree));
     return;

@@ -9,12 +9,18 @@ namespace flatland::ui {
 
 namespace {
 
-/// The curves with the chain of one of them replaced.
-std::vector<SceneCurve> withChain(std::vector<SceneCurve> curves, std::size_t index,
-                                  BezierChain chain) {
+/// The curves with the shape of one of them replaced.
+std::vector<SceneCurve> withShape(std::vector<SceneCurve> curves, std::size_t index, Curve shape) {
   assert(index < curves.size());
-  curves[index].shape = std::move(chain);
+  curves[index].shape = std::move(shape);
   return curves;
+}
+
+/// The curves with one edited; as they are if that cannot be.
+std::vector<SceneCurve> withEdited(std::vector<SceneCurve> curves, std::size_t index,
+                                   EditResult edited) {
+  if (!edited.curve) return curves;
+  return withShape(std::move(curves), index, std::move(*edited.curve));
 }
 
 std::vector<SceneCurve> moved(const Scene& from, const std::set<PointRef>& points,
@@ -27,18 +33,18 @@ std::vector<SceneCurve> moved(const Scene& from, const std::set<PointRef>& point
     for (const PointRef& ref : points) {
       if (ref.curve == c) indices.insert(ref.point);
     }
-    if (!indices.empty()) curves[c].shape = movePoints(curves[c].chain(), indices, delta, mode);
+    if (!indices.empty()) curves[c].shape = movePoints(curves[c].shape, indices, delta, mode);
   }
   return curves;
 }
 
 std::vector<SceneCurve> placed(const Scene& scene, const PointRef& ref, const Vec2& target) {
-  const BezierChain& before = scene.curves[ref.curve].chain();
-  const Vec2 delta = target - before.points()[ref.point];
+  const Curve& before = scene.curves[ref.curve].shape;
+  const Vec2 delta = target - controlPoints(before)[ref.point];
   if (delta.isZero(0.0)) return scene.curves;
-  BezierChain chain = movePoints(before, {ref.point}, delta, JointMode::Keep);
-  chain.setPoint(ref.point, target);  // p + (target - p) need not be target
-  return withChain(scene.curves, ref.curve, std::move(chain));
+  const Curve after = movePoints(before, {ref.point}, delta, JointMode::Keep);
+  // p + (target - p) need not be target
+  return withShape(scene.curves, ref.curve, withPoint(after, ref.point, target));
 }
 
 std::vector<SceneCurve> flipped(std::vector<SceneCurve> curves, std::size_t index) {
@@ -85,15 +91,32 @@ PlacePoint::PlacePoint(Document& document, const PointRef& point, const Vec2& ta
 }
 
 InsertPoint::InsertPoint(Document& document, std::size_t curve, double t)
-    : CurvesCommand(document, withChain(document.scene().curves, curve,
-                                        splitAt(document.scene().curves[curve].chain(), t))) {
+    : CurvesCommand(document, withEdited(document.scene().curves, curve,
+                                         withPointAt(document.scene().curves[curve].shape, t))) {
   setText(tr("insert point"));
 }
 
 RaiseDegree::RaiseDegree(Document& document, std::size_t curve)
-    : CurvesCommand(document, withChain(document.scene().curves, curve,
-                                        elevated(document.scene().curves[curve].chain()))) {
+    : CurvesCommand(document, withEdited(document.scene().curves, curve,
+                                         withRaisedDegree(document.scene().curves[curve].shape))) {
   setText(tr("raise degree"));
+}
+
+ReplaceCurve::ReplaceCurve(Document& document, std::size_t index, Curve shape, const QString& text,
+                           int gesture)
+    : CurvesCommand(document, withShape(document.scene().curves, index, std::move(shape)),
+                    gesture) {
+  setText(text);
+}
+
+MoveCurve::MoveCurve(Document& document, const Scene& from, std::size_t curve, const Vec2& delta,
+                     int gesture)
+    : CurvesCommand(document,
+                    delta.isZero(0.0) ? from.curves
+                                      : withShape(from.curves, curve,
+                                                  translated(from.curves[curve].shape, delta)),
+                    gesture) {
+  setText(tr("move curve"));
 }
 
 FlipNormal::FlipNormal(Document& document, std::size_t curve)
@@ -109,15 +132,15 @@ PointRemoval withoutPoints(const Scene& scene, const std::set<PointRef>& points)
     for (const PointRef& ref : points) {
       if (ref.curve == c) indices.insert(ref.point);
     }
-    if (indices.size() == curve.chain().points().size()) continue;
+    if (!indices.empty() && indices.size() == controlPoints(curve.shape).size()) continue;
     removal.curves.push_back(curve);
     if (indices.empty()) continue;
-    RemovalResult result = removePoints(curve.chain(), indices);
-    if (!result.chain) {
+    EditResult result = withoutPoints(curve.shape, indices);
+    if (!result.curve) {
       removal.reason = std::move(result.reason);
       return removal;
     }
-    removal.curves.back().shape = std::move(*result.chain);
+    removal.curves.back().shape = std::move(*result.curve);
   }
   return removal;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "flatland/curve/chain_editing.h"
+#include "flatland/curve/curve_editing.h"
 #include "ui/model/document.h"
 #include "ui/model/selection.h"
 
@@ -52,18 +52,35 @@ class PlacePoint : public CurvesCommand {
   PlacePoint(Document& document, const PointRef& point, const Vec2& target);
 };
 
-/// Splits the curve at parameter t: the shape stays, one joint more.
+/// Adds a point at parameter t: the shape stays (withPointAt). Nothing to do for a curve that
+/// cannot have one.
 class InsertPoint : public CurvesCommand {
   Q_DECLARE_TR_FUNCTIONS(InsertPoint)
  public:
   InsertPoint(Document& document, std::size_t curve, double t);
 };
 
-/// Writes every piece of the curve with one more control point: the shape stays.
+/// Writes every piece of the curve with one more control point: the shape stays. Nothing to do for
+/// a curve that has no degree to raise.
 class RaiseDegree : public CurvesCommand {
   Q_DECLARE_TR_FUNCTIONS(RaiseDegree)
  public:
   RaiseDegree(Document& document, std::size_t curve);
+};
+
+/// Puts another shape in the place of one. `text` names the edit for the Undo menu.
+class ReplaceCurve : public CurvesCommand {
+ public:
+  ReplaceCurve(Document& document, std::size_t index, Curve shape, const QString& text,
+               int gesture = kNoGesture);
+};
+
+/// Moves a curve as a whole by `delta`, counted from `from`: also one without points.
+class MoveCurve : public CurvesCommand {
+  Q_DECLARE_TR_FUNCTIONS(MoveCurve)
+ public:
+  MoveCurve(Document& document, const Scene& from, std::size_t curve, const Vec2& delta,
+            int gesture = kNoGesture);
 };
 
 /// Turns the normal of the curve round.

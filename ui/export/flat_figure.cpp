@@ -22,6 +22,7 @@ constexpr double kScreenSymbolPx = 6.5;
 constexpr double kLetterOffPx = 16.0;      // of the letters from the screen
 constexpr double kRidgeOvershootPx = 8.0;  // of an apparent ridge's line beyond the screen
 const Vec2 kLetterHalf(4.5, 6.0);
+constexpr double kTolerancePx = 0.02;  // of cubics standing for other curves
 
 // From the bottom to the top.
 enum class Layer { ControlPolygon, Rays, Sight, Curve, Screen, Image, Marks, Letters, Viewer };
@@ -158,8 +159,9 @@ class Builder {
     FigureGroup& to = group(Layer::ControlPolygon);
     const Stroke line{.colour = colours_.controlPolygon, .width = 1.0};
     for (const SceneCurve& curve : scene_.curves) {
-      const std::vector<Vec2>& points = curve.chain().points();
-      const std::size_t sides = curve.chain().closed() ? points.size() : points.size() - 1;
+      const std::vector<Vec2>& points = controlPoints(curve.shape);
+      if (points.empty()) continue;
+      const std::size_t sides = isClosed(curve.shape) ? points.size() : points.size() - 1;
       for (std::size_t i = 0; i < sides; ++i) {
         addLine(to, toFigure_(points[i]), toFigure_(points[(i + 1) % points.size()]), line);
       }
@@ -190,7 +192,6 @@ class Builder {
       appendPiece(path, second, pen, depth + 1);
       return;
     }
-    constexpr double kTolerancePx = 0.02;
     for (const Bezier& cubic : toCubics(piece, kTolerancePx / toFigure_.scale)) {
       const std::vector<Vec2>& p = cubic.points;
       const Vec2 start = toFigure_(p.front());
@@ -215,20 +216,27 @@ class Builder {
 
   void addCurvePart(int curve, double tLow, double tHigh, bool visible) {
     if (!(tLow < tHigh)) return;
-    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(curve)].chain();
+    const Curve& shape = scene_.curves[static_cast<std::size_t>(curve)].shape;
     PathData path;
     Vec2 pen = Vec2::Zero();
-    for (int i = 0; i < chain.pieceCount(); ++i) {
-      const double a = std::clamp(tLow - i, 0.0, 1.0);
-      const double b = std::clamp(tHigh - i, 0.0, 1.0);
-      if (!(a < b)) continue;
-      Bezier piece = chain.piece(i);
-      if (b < 1.0) piece = splitAt(piece, b).first;
-      if (a > 0.0) piece = splitAt(piece, a / b).second;
-      appendPiece(path, piece, pen, 0);
+    if (const BezierChain* chain = bezierForm(shape)) {
+      for (int i = 0; i < chain->pieceCount(); ++i) {
+        const double a = std::clamp(tLow - i, 0.0, 1.0);
+        const double b = std::clamp(tHigh - i, 0.0, 1.0);
+        if (!(a < b)) continue;
+        Bezier piece = chain->piece(i);
+        if (b < 1.0) piece = splitAt(piece, b).first;
+        if (a > 0.0) piece = splitAt(piece, a / b).second;
+        appendPiece(path, piece, pen, 0);
+      }
+    } else {
+      const double tolerance = kTolerancePx / toFigure_.scale;
+      for (const CubicStretch& stretch : cubicsWithin(shape, tLow, tHigh, tolerance)) {
+        appendPiece(path, stretch.cubic, pen, 0);
+      }
     }
     if (path.verbs.empty()) return;
-    const bool whole = chain.closed() && tLow <= 0.0 && tHigh >= chain.pieceCount();
+    const bool whole = isClosed(shape) && tLow <= 0.0 && tHigh >= pieceCount(shape);
     if (whole && (path.points.front() - path.points.back()).norm() < 1e-6) path.close();
     group(Layer::Curve, visible)
         .shapes.emplace_back(PathShape{std::move(path), std::nullopt,
@@ -240,7 +248,7 @@ class Builder {
 
   void addCurves() {
     for (int curve = 0; curve < static_cast<int>(scene_.curves.size()); ++curve) {
-      const double end = scene_.curves[static_cast<std::size_t>(curve)].chain().pieceCount();
+      const double end = pieceCount(scene_.curves[static_cast<std::size_t>(curve)].shape);
       double hiddenFrom = 0.0;
       for (const Visibility::Interval& seen : visibility_.visibleIntervals(curve)) {
         if (showsHidden()) addCurvePart(curve, hiddenFrom, seen.tLow, false);
@@ -271,13 +279,13 @@ class Builder {
   /// What a visible part of a curve covers of the screen.
   void addImage(int curve, const Visibility::Interval& seen) {
     constexpr int kSamples = 32;
-    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(curve)].chain();
+    const Curve& shape = scene_.curves[static_cast<std::size_t>(curve)].shape;
     std::optional<double> low;
     std::optional<double> high;
     for (int i = 0; i <= kSamples; ++i) {
       const double f = static_cast<double>(i) / kSamples;
       const double t = (1.0 - f) * seen.tLow + f * seen.tHigh;
-      if (const std::optional<double> s = screenPlace(pointAt(chain, t))) {
+      if (const std::optional<double> s = screenPlace(pointAt(shape, t))) {
         low = std::min(low.value_or(*s), *s);
         high = std::max(high.value_or(*s), *s);
       }
@@ -293,8 +301,7 @@ class Builder {
 
   /// Direction across the curve at a mark, in the figure; towards the viewer where it has none.
   double acrossRad(const Mark& mark) const {
-    const BezierChain& chain = scene_.curves[static_cast<std::size_t>(mark.curve)].chain();
-    const Vec2 d1 = jetAt(chain, mark.t).d1;
+    const Vec2 d1 = jetAt(scene_.curves[static_cast<std::size_t>(mark.curve)].shape, mark.t).d1;
     if (d1.norm() == 0.0) return std::atan2(towards_.y(), towards_.x());
     return std::atan2(-d1.x(), -d1.y());  // (-d1.y, d1.x) with y turned down
   }

@@ -71,14 +71,7 @@ FlatFigureOptions atUnitScale(FlatFigureOptions options) {
 
 std::vector<Vec2> sampledPoints(const SceneCurve& curve) {
   constexpr int kPerPiece = 32;
-  std::vector<Vec2> points;
-  for (int piece = 0; piece < curve.chain().pieceCount(); ++piece) {
-    const Bezier bezier = curve.chain().piece(piece);
-    for (int i = 0; i <= kPerPiece; ++i) {
-      points.push_back(pointAt(bezier, static_cast<double>(i) / kPerPiece));
-    }
-  }
-  return points;
+  return sampledPoints(curve.shape, kPerPiece);
 }
 
 std::vector<Vec2> sampledPoints(const Scene& scene) {
@@ -111,7 +104,7 @@ ScreenLine screenLine(const Scene& scene, bool controlPoints, const std::optiona
   screen.offset = nearest + kScreenGap * size;
   if (controlPoints) {
     for (const SceneCurve& curve : scene.curves) {
-      for (const Vec2& p : curve.chain().points()) {
+      for (const Vec2& p : flatland::controlPoints(curve.shape)) {
         screen.offset = std::max(screen.offset, p.dot(frame.towards) + kControlPointGap * size);
       }
     }
@@ -175,7 +168,7 @@ FigureTransform fittedTransform(const Scene& scene, const FlatFigureOptions& opt
   for (const Vec2& p : sampledPoints(scene)) items.push_back({p, letterRoom, letterRoom});
   if (options.controlPolygon) {
     for (const SceneCurve& curve : scene.curves) {
-      for (const Vec2& p : curve.chain().points()) {
+      for (const Vec2& p : flatland::controlPoints(curve.shape)) {
         items.push_back({p, Vec2::Constant(5.0), Vec2::Constant(5.0)});
       }
     }

@@ -163,11 +163,15 @@ std::optional<Mark> FlatCanvas::markOnCurve(const Target& target, const QPointF&
 }
 
 void FlatCanvas::insertPointAt(std::size_t curve, double t) {
-  const BezierChain& chain = models_.document.scene().curves[curve].chain();
-  const ChainParameter at = chain.locate(t);
-  if (at.t <= 0.0 || at.t >= 1.0) return;  // there is a point already
+  const Curve before = models_.document.scene().curves[curve].shape;
+  const EditResult edited = withPointAt(before, t);
+  if (!edited.curve) {
+    emit hint(QString::fromStdString(edited.reason));
+    return;
+  }
+  if (*edited.curve == before) return;  // there is a point already
   models_.document.push(std::make_unique<InsertPoint>(models_.document, curve, t));
-  models_.selection.setPoints({{curve, static_cast<std::size_t>((at.piece + 1) * chain.degree())}});
+  models_.selection.setPoints({{curve, pointAddedAt(*edited.curve, before, t)}});
 }
 
 void FlatCanvas::wheelEvent(QWheelEvent* event) {

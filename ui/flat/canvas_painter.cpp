@@ -7,6 +7,7 @@
 #include <QPainterPath>
 #include <QPalette>
 
+#include "flatland/curve/curve_editing.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/flat_figure.h"
 #include "ui/model/theme.h"
@@ -71,8 +72,8 @@ class CanvasPainter {
     painter_.setPen(QPen(toQColor(colours_.controlPolygon), 1.0));
     for (const SceneCurve& curve : models_.document.scene().curves) {
       QPolygonF polygon;
-      for (const Vec2& p : curve.chain().points()) polygon << at(p);
-      if (curve.chain().closed()) polygon << polygon.front();
+      for (const Vec2& p : controlPoints(curve.shape)) polygon << at(p);
+      if (!polygon.isEmpty() && isClosed(curve.shape)) polygon << polygon.front();
       painter_.drawPolyline(polygon);
     }
   }
@@ -83,24 +84,18 @@ class CanvasPainter {
     glow.setAlpha(90);
     painter_.setPen(QPen(glow, 9.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter_.setBrush(Qt::NoBrush);
-    painter_.drawPath(pathOf(models_.document.scene().curves[state_.hovered.point.curve].chain()));
+    painter_.drawPath(pathOf(models_.document.scene().curves[state_.hovered.point.curve].shape));
   }
 
-  QPainterPath pathOf(const BezierChain& chain) const {
+  QPainterPath pathOf(const Curve& curve) const {
     QPainterPath path;
-    for (int i = 0; i < chain.pieceCount(); ++i) {
-      for (const Bezier& cubic : toCubics(chain.piece(i), 0.25 / pixelsPerLength())) {
-        if (path.isEmpty()) path.moveTo(at(cubic.points.front()));
-        const Bezier full = asCubic(cubic);
-        path.cubicTo(at(full.points[1]), at(full.points[2]), at(full.points[3]));
-      }
+    const double tolerance = 0.25 / pixelsPerLength();
+    for (const CubicStretch& stretch : cubicsWithin(curve, 0.0, pieceCount(curve), tolerance)) {
+      const std::vector<Vec2>& p = stretch.cubic.points;
+      if (path.isEmpty()) path.moveTo(at(p[0]));
+      path.cubicTo(at(p[1]), at(p[2]), at(p[3]));
     }
     return path;
-  }
-
-  static Bezier asCubic(Bezier curve) {
-    while (curve.degree() < 3) curve = elevated(curve);
-    return curve;
   }
 
   void paintFigure() {
@@ -127,8 +122,8 @@ class CanvasPainter {
   void paintPoints(bool picked) {
     const auto& curves = models_.document.scene().curves;
     for (std::size_t c = 0; c < curves.size(); ++c) {
-      for (std::size_t i = 0; i < curves[c].chain().points().size(); ++i) {
-        if (isPicked({c, i}) == picked) paintPoint({c, i}, curves[c].chain());
+      for (std::size_t i = 0; i < controlPoints(curves[c].shape).size(); ++i) {
+        if (isPicked({c, i}) == picked) paintPoint({c, i}, curves[c].shape);
       }
     }
   }
@@ -139,12 +134,12 @@ class CanvasPainter {
   }
 
   /// Joints are squares, handles circles; selected ones filled with the highlight colour.
-  void paintPoint(const PointRef& ref, const BezierChain& chain) {
+  void paintPoint(const PointRef& ref, const Curve& curve) {
     const bool selected = models_.selection.points().contains(ref);
     const bool hovered = state_.hovered.what == Target::What::Point && state_.hovered.point == ref;
-    const bool joint = chain.isJoint(ref.point);
+    const bool joint = isJoint(curve, ref.point);
     if (!models_.display.showsControlPolygon() && !joint && !selected && !hovered) return;
-    const QPointF centre = at(chain.points()[ref.point]);
+    const QPointF centre = at(controlPoints(curve)[ref.point]);
     if (hovered) {
       QColor glow = highlight_;
       glow.setAlpha(90);

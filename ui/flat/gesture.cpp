@@ -19,7 +19,7 @@ std::unique_ptr<Gesture> pressPoint(const CanvasModels& models, const PointRef& 
                                     const Pointer& pressed) {
   const std::set<PointRef>& selected = models.selection.points();
   MovePointsGesture::Plan plan;
-  plan.anchor = models.document.scene().curves[point.curve].chain().points()[point.point];
+  plan.anchor = controlPoints(models.document.scene().curves[point.curve].shape)[point.point];
   const bool adding = pressed.modifiers.testFlag(Qt::ShiftModifier);
   plan.moving = adding || selected.contains(point) ? selected : std::set<PointRef>();
   plan.moving.insert(point);
@@ -32,14 +32,15 @@ std::unique_ptr<Gesture> pressPoint(const CanvasModels& models, const PointRef& 
 std::unique_ptr<Gesture> pressCurve(const CanvasModels& models, const Target& target,
                                     const Pointer& pressed) {
   models.selection.setCurrentCurve(target.point.curve);
-  const BezierChain& chain = models.document.scene().curves[target.point.curve].chain();
+  const Curve& curve = models.document.scene().curves[target.point.curve].shape;
   MovePointsGesture::Plan plan;
-  for (std::size_t i = 0; i < chain.points().size(); ++i) {
+  for (std::size_t i = 0; i < controlPoints(curve).size(); ++i) {
     plan.moving.insert({target.point.curve, i});
   }
   plan.selected = models.selection.points();
   plan.clicked = plan.selected;
-  plan.anchor = pointAt(chain, target.t);
+  plan.anchor = pointAt(curve, target.t);
+  if (plan.moving.empty()) plan.curve = target.point.curve;
   return std::make_unique<MovePointsGesture>(models, std::move(plan), pressed);
 }
 
@@ -70,8 +71,8 @@ QString describe(const CanvasModels& models, const Target& target) {
                        "Drag to move the viewer; Shift steps by 15°, Ctrl keeps the distance.")
                  : Gesture::tr("Drag to turn the view; Shift steps by 15°.");
     case Target::What::Point: {
-      const BezierChain& chain = models.document.scene().curves[target.point.curve].chain();
-      const QString at = coordinates(models.viewport, chain.points()[target.point.point]);
+      const Curve& curve = models.document.scene().curves[target.point.curve].shape;
+      const QString at = coordinates(models.viewport, controlPoints(curve)[target.point.point]);
       return Gesture::tr("Point %1 at (%2): drag to move it, Delete removes it.")
           .arg(target.point.point)
           .arg(at);

@@ -29,9 +29,10 @@ class MovePointsGesture : public Gesture {
  public:
   struct Plan {
     std::set<PointRef> moving;
-    std::set<PointRef> selected;  ///< the selection from the press on
-    std::set<PointRef> clicked;   ///< the selection that a mere click leaves
-    Vec2 anchor;                  ///< the place whose coordinates are shown, before the drag
+    std::set<PointRef> selected;            ///< the selection from the press on
+    std::set<PointRef> clicked;             ///< the selection that a mere click leaves
+    std::optional<std::size_t> curve = {};  ///< one without points that moves as a whole
+    Vec2 anchor;  ///< the place whose coordinates are shown, before the drag
   };
   MovePointsGesture(const CanvasModels& models, Plan plan, const Pointer& pressed);
 

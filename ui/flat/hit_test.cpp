@@ -28,7 +28,7 @@ std::optional<PointRef> nearestPointAt(const CanvasModels& models, const QPointF
   double bestDistance = reach;
   const auto& curves = models.document.scene().curves;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const auto& points = curves[c].chain().points();
+    const auto& points = controlPoints(curves[c].shape);
     for (std::size_t i = 0; i < points.size(); ++i) {
       double distance = QLineF(models.viewport.toWidget(points[i]), position).length();
       // Of points that lie on each other the selected one is meant.
@@ -105,7 +105,7 @@ Target targetAt(const CanvasModels& models, const QSizeF& canvas, const QPointF&
   Target target;
   double bestDistance = scale * kCurveReach / models.viewport.scale();
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const Nearest nearest = nearestPoint(curves[c].chain(), world);
+    const Nearest nearest = nearestPoint(curves[c].shape, world);
     if (nearest.distance > bestDistance) continue;
     bestDistance = nearest.distance;
     target = {.what = Target::What::Curve, .point = {c, 0}, .t = nearest.t};

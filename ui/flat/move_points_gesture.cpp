@@ -43,11 +43,20 @@ void MovePointsGesture::cancel() {
 
 void MovePointsGesture::moveTo(const Vec2& delta, JointMode mode) {
   delta_ = delta;
+  if (plan_.curve) {
+    models_.document.push(
+        std::make_unique<MoveCurve>(models_.document, start_, *plan_.curve, delta, gesture_));
+    return;
+  }
   models_.document.push(
       std::make_unique<MovePoints>(models_.document, start_, plan_.moving, delta, mode, gesture_));
 }
 
 QString MovePointsGesture::status() const {
+  if (plan_.curve) {
+    return Gesture::tr("Moving the curve by (%1). Ctrl: along one axis. Esc: take it back.")
+        .arg(coordinates(models_.viewport, delta_));
+  }
   return Gesture::tr(
              "Moving %1 by (%2). Ctrl: along one axis. Alt: leave the handles. Esc: take it back.")
       .arg(plan_.moving.size() == 1

@@ -24,7 +24,7 @@ void RubberBandGesture::move(const Pointer& pointer) {
   std::set<PointRef> inside = adding_ ? before_ : std::set<PointRef>();
   const auto& curves = models_.document.scene().curves;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const auto& points = curves[c].chain().points();
+    const auto& points = controlPoints(curves[c].shape);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (band.contains(models_.viewport.toWidget(points[i]))) inside.insert({c, i});
     }

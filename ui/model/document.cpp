@@ -66,10 +66,7 @@ void Document::push(std::unique_ptr<QUndoCommand> command) {
 void Document::swapCurves(std::vector<SceneCurve>& curves) {
   const bool samePoints = std::equal(
       curves.begin(), curves.end(), scene_.curves.begin(), scene_.curves.end(),
-      [](const SceneCurve& a, const SceneCurve& b) {
-        return a.chain().points().size() == b.chain().points().size() &&
-               a.chain().degree() == b.chain().degree() && a.chain().closed() == b.chain().closed();
-      });
+      [](const SceneCurve& a, const SceneCurve& b) { return sameTopology(a.shape, b.shape); });
   std::swap(scene_.curves, curves);
   sceneChanged(samePoints ? Change::What::Points : Change::What::Topology);
 }

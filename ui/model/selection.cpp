@@ -113,14 +113,15 @@ std::set<PointRef> Selection::allPoints() const {
   std::set<PointRef> all;
   const auto& curves = document_.scene().curves;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    for (std::size_t i = 0; i < curves[c].chain().points().size(); ++i) all.insert({c, i});
+    for (std::size_t i = 0; i < controlPoints(curves[c].shape).size(); ++i) all.insert({c, i});
   }
   return all;
 }
 
 bool Selection::exists(const PointRef& point) const {
   const auto& curves = document_.scene().curves;
-  return point.curve < curves.size() && point.point < curves[point.curve].chain().points().size();
+  return point.curve < curves.size() &&
+         point.point < controlPoints(curves[point.curve].shape).size();
 }
 
 }  // namespace flatland::ui

@@ -28,12 +28,8 @@ std::vector<Vec2> samplesOf(const Scene& scene) {
   constexpr int kPerPiece = 48;
   std::vector<Vec2> samples;
   for (const SceneCurve& curve : scene.curves) {
-    for (int i = 0; i < curve.chain().pieceCount(); ++i) {
-      const Bezier piece = curve.chain().piece(i);
-      for (int k = 0; k <= kPerPiece; ++k) {
-        samples.push_back(pointAt(piece, static_cast<double>(k) / kPerPiece));
-      }
-    }
+    const std::vector<Vec2> more = sampledPoints(curve.shape, kPerPiece);
+    samples.insert(samples.end(), more.begin(), more.end());
   }
   return samples;
 }
@@ -123,7 +119,7 @@ Bounds Stage::fitBox() const {
   const Vec2 extent = Vec2::Constant(ringRadius());
   Bounds box{centre_ - extent, centre_ + extent};
   for (const SceneCurve& curve : document_.scene().curves) {
-    for (const Vec2& p : curve.chain().points()) {
+    for (const Vec2& p : controlPoints(curve.shape)) {
       box.low = box.low.cwiseMin(p);
       box.high = box.high.cwiseMax(p);
     }

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "flatland/curve/curve_editing.h"
 #include "flatland/io/scene_json.h"
 #include "ui/commands/curve_commands.h"
 
@@ -26,8 +27,8 @@ void PointsModel::documentChanged(const Change& change) {
 PointRef PointsModel::refOf(int row) const {
   auto left = static_cast<std::size_t>(row);
   std::size_t curve = 0;
-  while (left >= document_.scene().curves[curve].chain().points().size()) {
-    left -= document_.scene().curves[curve].chain().points().size();
+  while (left >= controlPoints(document_.scene().curves[curve].shape).size()) {
+    left -= controlPoints(document_.scene().curves[curve].shape).size();
     ++curve;
   }
   return {curve, left};
@@ -36,14 +37,15 @@ PointRef PointsModel::refOf(int row) const {
 int PointsModel::rowOf(const PointRef& ref) const {
   std::size_t row = ref.point;
   for (std::size_t c = 0; c < ref.curve; ++c)
-    row += document_.scene().curves[c].chain().points().size();
+    row += controlPoints(document_.scene().curves[c].shape).size();
   return static_cast<int>(row);
 }
 
 int PointsModel::rowCount(const QModelIndex& parent) const {
   std::size_t rows = 0;
   if (parent.isValid()) return 0;
-  for (const SceneCurve& curve : document_.scene().curves) rows += curve.chain().points().size();
+  for (const SceneCurve& curve : document_.scene().curves)
+    rows += controlPoints(curve.shape).size();
   return static_cast<int>(rows);
 }
 
@@ -54,14 +56,14 @@ int PointsModel::columnCount(const QModelIndex& parent) const {
 QVariant PointsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   const PointRef ref = refOf(index.row());
-  const BezierChain& chain = document_.scene().curves[ref.curve].chain();
-  const Vec2& p = chain.points()[ref.point];
+  const flatland::Curve& curve = document_.scene().curves[ref.curve].shape;
+  const Vec2& p = controlPoints(curve)[ref.point];
   if (role == Qt::TextAlignmentRole) {
     return QVariant::fromValue(Qt::AlignVCenter | Qt::AlignRight);
   }
   if (role == Qt::ToolTipRole && index.column() == Point) {
-    return chain.isJoint(ref.point) ? tr("The curve passes through this point.")
-                                    : tr("This point pulls the curve towards itself.");
+    return isJoint(curve, ref.point) ? tr("The curve passes through this point.")
+                                     : tr("This point pulls the curve towards itself.");
   }
   if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
   switch (index.column()) {
@@ -93,7 +95,7 @@ bool PointsModel::setData(const QModelIndex& index, const QVariant& value, int r
     return false;
   }
   const PointRef ref = refOf(index.row());
-  Vec2 target = document_.scene().curves[ref.curve].chain().points()[ref.point];
+  Vec2 target = controlPoints(document_.scene().curves[ref.curve].shape)[ref.point];
   (index.column() == X ? target.x() : target.y()) = typed;
   document_.push(std::make_unique<PlacePoint>(document_, ref, target));
   return true;

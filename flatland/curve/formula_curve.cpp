@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "flatland/curve/formula_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flatland/curve/cubic_cuts.h"
+#include "flatland/io/number_text.h"
+
+namespace flatland {
+
+namespace {
+
+using Field = FormulaError::Field;
+
+std::string shortText(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+/// An end of the domain, or why it is none.
+std::optional<FormulaError> readEnd(const std::string& text, const Expression::Constants& constants,
+                                    Field field, double& value) {
+  const Expression::Result result = Expression::parse(text, constants, false);
+  if (!result.expression) return FormulaError{field, result.error.column, result.error.reason};
+  value = result.expression->at(Taylor<0>(0.0)).value();
+  constexpr double kLargestParameter = 1e15;
+  if (!std::isfinite(value)) return FormulaError{field, 0, "this is not a finite number"};
+  if (std::abs(value) > kLargestParameter) return FormulaError{field, 0, "this is beyond 1e15"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <int N>
+void FormulaCurve::Compiled::evaluate(int piece, double t, Taylor<N>& px, Taylor<N>& py) const {
+  if (const auto* family = std::get_if<FamilyCurve>(&source)) {
+    flatland::evaluate(*family, piece, Taylor<N>::variable(t), px, py);
+    return;
+  }
+  const double at = t >= 1.0 ? to : from + t * (to - from);
+  const auto parameter = Taylor<N>::variable(at, to - from);
+  px = x.at(parameter);
+  py = y.at(parameter);
+}
+
+Vec2 FormulaCurve::pointAt(int piece, double t) const {
+  Taylor<0> x, y;
+  shared_->evaluate(piece, t, x, y);
+  return at_ + Vec2(x.value(), y.value());
+}
+
+std::array<Vec2, 5> FormulaCurve::derivativesAt(int piece, double t) const {
+  Taylor<4> x, y;
+  shared_->evaluate(piece, t, x, y);
+  std::array<Vec2, 5> result;
+  result[0] = at_ + Vec2(x.value(), y.value());
+  if (!x.isFinite() || !y.isFinite()) {
+    constexpr double kInside = 0x1p-40;
+    shared_->evaluate(piece, t > 0.5 ? t - kInside : t + kInside, x, y);
+  }
+  for (int k = 1; k < 5; ++k) {
+    result[static_cast<std::size_t>(k)] = Vec2(x.derivative(k), y.derivative(k));
+  }
+  return result;
+}
+
+FormulaCurve FormulaCurve::movedTo(const Vec2& at) const { return FormulaCurve(shared_, at); }
+
+FormulaCurve::Result FormulaCurve::make(const FamilyCurve& curve, const Vec2& at) {
+  if (const auto why = whyInvalid(curve)) return {std::nullopt, {Field::Family, 0, *why}};
+  auto compiled = std::make_shared<Compiled>();
+  compiled->source = curve;
+  compiled->pieceCount = flatland::pieceCount(curve);
+  compiled->closed = familyOf(curve).closed;
+  return finished(std::move(compiled), at);
+}
+
+FormulaCurve::Result FormulaCurve::make(const TypedFormula& formula, const Vec2& at) {
+  auto compiled = std::make_shared<Compiled>();
+  compiled->source = formula;
+  for (const auto& [name, value] : formula.constants) {
+    if (const auto why = Expression::whyNotAName(name)) {
+      return {std::nullopt, {Field::Constants, 0, "\"" + name + "\": " + *why}};
+    }
+    if (!std::isfinite(value)) {
+      return {std::nullopt, {Field::Constants, 0, name + " is not a finite number"}};
+    }
+  }
+  for (const Field field : {Field::X, Field::Y}) {
+    const std::string& text = field == Field::X ? formula.x : formula.y;
+    Expression::Result result = Expression::parse(text, formula.constants);
+    if (!result.expression) {
+      return {std::nullopt, {field, result.error.column, result.error.reason}};
+    }
+    (field == Field::X ? compiled->x : compiled->y) = std::move(*result.expression);
+  }
+  if (auto error = readEnd(formula.from, formula.constants, Field::From, compiled->from)) {
+    return {std::nullopt, *error};
+  }
+  if (auto error = readEnd(formula.to, formula.constants, Field::To, compiled->to)) {
+    return {std::nullopt, *error};
+  }
+  // Below this, neighbouring parameters are the same number.
+  constexpr double kShortestDomain = 0x1p-40;
+  const double length = compiled->to - compiled->from;
+  if (!(length > kShortestDomain * std::max(std::abs(compiled->from), std::abs(compiled->to)))) {
+    return {std::nullopt, {Field::To, 0, "the domain must end above " + shortText(compiled->from)}};
+  }
+  return finished(std::move(compiled), at);
+}
+
+FormulaCurve::Result FormulaCurve::finished(std::shared_ptr<Compiled> compiled, const Vec2& at) {
+  const bool typed = std::holds_alternative<TypedFormula>(compiled->source);
+  const FormulaCurve curve(compiled, Vec2::Zero());
+  // A prime number of steps, so that a swing does not hide between them.
+  const int steps = typed ? 2003 : 211;
+  Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
+  for (int piece = 0; piece < compiled->pieceCount; ++piece) {
+    for (int i = 0; i <= steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      const Vec2 p = curve.pointAt(piece, t);
+      for (const Field field : {Field::X, Field::Y}) {
+        const double value = field == Field::X ? p.x() : p.y();
+        if (std::abs(value) <= kLargestCoordinate) continue;
+        const std::string name = field == Field::X ? "x" : "y";
+        const double parameter = compiled->from + t * (compiled->to - compiled->from);
+        return {std::nullopt,
+                {typed ? field : Field::Family, 0,
+                 name + (std::isfinite(value) ? " is beyond 1e50" : " has no finite value") +
+                     " at t = " + shortText(parameter)}};
+      }
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  }
+  const double size = (high - low).norm();
+  if (typed) {
+    const Vec2 gap = curve.pointAt(0, 1.0) - curve.pointAt(0, 0.0);
+    constexpr double kEndsMeet = 1e-12;
+    compiled->closed = size > 0.0 && gap.norm() <= kEndsMeet * size;
+  }
+  constexpr double kNearlyCubic = 1e-3;
+  const auto jet = [&curve](int piece, double t) {
+    const std::array<Vec2, 5> d = curve.derivativesAt(piece, t);
+    return Jet{d[0], d[1], d[2], d[3]};
+  };
+  compiled->cuts = cubicCuts(jet, compiled->pieceCount, typed ? 5 : 3, kNearlyCubic * size);
+  return {FormulaCurve(std::move(compiled), at), {}};
+}
+
+}  // namespace flatland
