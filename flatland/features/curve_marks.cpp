@@ -29,19 +29,20 @@ struct Signs {
 
 class CurveMarker {
  public:
-  CurveMarker(const BezierChain& chain, const ViewFrame& frame, int side)
-      : chain_(chain), frame_(frame), side_(side) {
-    Vec2 low = chain.points().front(), high = low;
-    for (const Vec2& p : chain.points()) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    extent_ = (high - low).norm();
-  }
+  CurveMarker(const Curve& curve, const ViewFrame& frame, int side, RootMethod method)
+      : curve_(curve),
+        frame_(frame),
+        side_(side),
+        method_(method),
+        extent_(boundsOf(curve).diagonal()) {}
 
   CurveMarks run() {
-    for (int i = 0; i < chain_.pieceCount(); ++i) addPiece(i);
+    for (int i = 0; i < pieceCount(curve_); ++i) addPiece(i);
     const std::size_t count = arcs_.size();
     for (std::size_t i = 0; i + 1 < count; ++i) meet(arcs_[i], arcs_[i + 1]);
-    if (chain_.closed() && count > 0) meet(arcs_[count - 1], arcs_[0]);
+    if (isClosed(curve_) && count > 0) meet(arcs_[count - 1], arcs_[0]);
     for (const Arc& arc : arcs_) addInterior(arc);
+    for (const Arc& arc : arcs_) result_.quality.add(arc->quality());
     return std::move(result_);
   }
 
@@ -50,7 +51,7 @@ class CurveMarker {
 
   void addPiece(int index) {
     std::vector<std::unique_ptr<ViewedArc>> arcs =
-        viewedArcs(chain_.piece(index), index, frame_, extent_);
+        viewedArcs(curve_, index, frame_, extent_, method_);
     if (arcs.empty()) {
       result_.degenerate.push_back({Degenerate::What::Point, 0, index + 0.0, index + 1.0});
     }
@@ -58,6 +59,10 @@ class CurveMarker {
       if (arc->straight) {
         const auto what = arc->endOn ? Degenerate::What::StraightEndOn : Degenerate::What::Straight;
         result_.degenerate.push_back({what, 0, index + arc->tLow, index + arc->tHigh});
+      }
+      if (arc->constantCurvature) {
+        result_.degenerate.push_back(
+            {Degenerate::What::ConstantCurvature, 0, index + arc->tLow, index + arc->tHigh});
       }
       arcs_.push_back({std::move(arc)});
     }
@@ -314,10 +319,11 @@ class CurveMarker {
     });
   }
 
-  const BezierChain& chain_;
+  const Curve& curve_;
   const ViewFrame& frame_;
   const int side_;
-  double extent_ = 0.0;
+  const RootMethod method_;
+  const double extent_;
   std::vector<Arc> arcs_;
   CurveMark joint_{};  ///< the joint being judged
   CurveMarks result_;
@@ -325,8 +331,8 @@ class CurveMarker {
 
 }  // namespace
 
-CurveMarks findCurveMarks(const BezierChain& chain, const ViewFrame& frame, int side) {
-  return CurveMarker(chain, frame, side).run();
+CurveMarks findCurveMarks(const Curve& curve, const ViewFrame& frame, int side, RootMethod method) {
+  return CurveMarker(curve, frame, side, method).run();
 }
 
 }  // namespace flatland

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flatland/features/features.h"
+#include "flatland/features/viewed_arc.h"
 
 namespace flatland {
 
@@ -25,15 +26,17 @@ struct CurveMarks {
   std::vector<CurveMark> marks;        ///< in no particular order
   std::vector<Unresolved> unresolved;  ///< `curve` not filled
   std::vector<Degenerate> degenerate;  ///< `curve` not filled
+  ProxyQuality quality;                ///< of the worst proxy; no pieces if signs are certified
 };
 
-/// Marks of one curve: the roots of the polynomials of each regular arc, and what happens where
-/// arcs meet, be it at joints of the chain or at cusps. `side` as from normalSide().
+/// Marks of one curve: the roots of the functions of each arc (viewed_arc.h), and what happens
+/// where arcs meet, be it at joints of the chain or at cusps. `side` as from normalSide().
 ///
 /// At a joint whose tangent is continuous, silhouettes and inflections count once if the sign
 /// changes across it, and an extremum counts if the value there is the largest (smallest) of both
 /// sides, also when curvature or its derivative jumps. Ends of an open curve carry silhouettes and
 /// inflections, but no extrema.
-CurveMarks findCurveMarks(const BezierChain& chain, const ViewFrame& frame, int side);
+CurveMarks findCurveMarks(const Curve& curve, const ViewFrame& frame, int side,
+                          RootMethod method = RootMethod::BestKnown);
 
 }  // namespace flatland

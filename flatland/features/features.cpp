@@ -27,18 +27,6 @@ constexpr double kArcLengthAccuracy = 1e-13;
 // Sixth powers of lengths, and of their inverses, stay finite up to here.
 constexpr double kLargestExtent = 1e52;
 
-double controlPolygonLength(const BezierChain& chain) {
-  double length = 0.0;
-  for (int i = 0; i < chain.pieceCount(); ++i) {
-    const Bezier piece = chain.piece(i);
-    for (std::size_t j = 0; j + 1 < piece.points.size(); ++j) {
-      const Vec2 side = piece.points[j + 1] - piece.points[j];
-      length += std::hypot(side.x(), side.y());  // squares could vanish or overflow
-    }
-  }
-  return length;
-}
-
 double residualFor(MarkKind kind, const Residuals& residuals) {
   switch (kind) {
     case MarkKind::Silhouette:
@@ -59,12 +47,12 @@ double residualFor(MarkKind kind, const Residuals& residuals) {
 }
 
 // Everything about a mark but its arc length and visibility.
-Mark valued(const CurveMark& found, int curve, const BezierChain& chain, const ViewFrame& frame,
-            int side, double length) {
-  const Jet jet = jetAt(chain.piece(found.piece), found.t);
+Mark valued(const CurveMark& found, int index, const Curve& curve, const ViewFrame& frame, int side,
+            double length) {
+  const Jet jet = jetAt(curve, found.piece, found.t);
   Mark mark{};
   mark.kind = found.kind;
-  mark.curve = curve;
+  mark.curve = index;
   mark.t = found.piece + found.t;
   mark.point = jet.p;
   mark.screen = screenCoordinate(frame, jet.p);
@@ -72,7 +60,7 @@ Mark valued(const CurveMark& found, int curve, const BezierChain& chain, const V
   // At a corner or cusp the terms differ on both sides, or do not exist.
   if (found.kind == MarkKind::Corner) return mark;
   const Jet valueJet =
-      found.valueAt ? jetAt(chain.piece(found.valueAt->first), found.valueAt->second) : jet;
+      found.valueAt ? jetAt(curve, found.valueAt->first, found.valueAt->second) : jet;
   if (!(valueJet.d1.squaredNorm() > 0.0)) return mark;
   const Terms terms = termsAt(valueJet, frame, side);
   if (found.kind != MarkKind::Silhouette) mark.lambda = terms.lambda;
@@ -84,11 +72,11 @@ Mark valued(const CurveMark& found, int curve, const BezierChain& chain, const V
 }
 
 // Arc lengths of marks sorted by t, each from the one before.
-void measure(std::vector<Mark>& marks, const BezierChain& chain, double length) {
+void measure(std::vector<Mark>& marks, const Curve& curve, double length) {
   double t = 0.0, u = 0.0;
   for (Mark& mark : marks) {
     if (mark.t > t) {
-      u += arcLength(chain, t, mark.t, kArcLengthAccuracy * length).value;
+      u += arcLength(curve, t, mark.t, kArcLengthAccuracy * length).value;
       t = mark.t;
     }
     mark.u = u;
@@ -105,38 +93,45 @@ std::optional<MarkKind> markKindNamed(std::string_view name) {
   return static_cast<MarkKind>(found - kNames.begin());
 }
 
+bool FeatureSet::certified() const {
+  return std::all_of(searches.begin(), searches.end(),
+                     [](const CurveSearch& search) { return search.certified; });
+}
+
+double FeatureSet::errorBound() const {
+  double bound = 0.0;
+  for (const CurveSearch& search : searches) bound = std::max(bound, search.errorBound);
+  return bound;
+}
+
 FeatureSet findFeatures(const Scene& scene) {
   const ViewFrame frame = frameOf(scene.view);
   const Visibility visibility(scene);
   FeatureSet result;
   for (int i = 0; i < static_cast<int>(scene.curves.size()); ++i) {
     const SceneCurve& curve = scene.curves[static_cast<std::size_t>(i)];
-    const BezierChain* form = bezierForm(curve.shape);
-    if (!form) {
-      result.unresolved.push_back({MarkKind::Silhouette, i, 0.0, pieceCount(curve.shape) + 0.0,
-                                   "marks of this kind of curve are not computed"});
-      continue;
-    }
-    const BezierChain& chain = *form;
     const int side = normalSide(curve, frame);
-    const double length = controlPolygonLength(chain);
+    const double length = lengthScale(curve.shape);
     if (length > kLargestExtent || (length > 0.0 && length < 1.0 / kLargestExtent)) {
-      result.unresolved.push_back({MarkKind::Silhouette, i, 0.0, chain.pieceCount() + 0.0,
+      result.unresolved.push_back({MarkKind::Silhouette, i, 0.0, pieceCount(curve.shape) + 0.0,
                                    "the curve is too large or too small for double precision"});
       continue;
     }
-    CurveMarks found = findCurveMarks(chain, frame, side);
+    CurveMarks found = findCurveMarks(curve.shape, frame, side);
 
     std::vector<Mark> marks;
     for (const CurveMark& mark : found.marks) {
-      marks.push_back(valued(mark, i, chain, frame, side, length));
+      marks.push_back(valued(mark, i, curve.shape, frame, side, length));
     }
     std::sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) {
       return std::tie(a.t, a.kind) < std::tie(b.t, b.kind);
     });
-    measure(marks, chain, length);
+    measure(marks, curve.shape, length);
     for (Mark& mark : marks) mark.visible = visibility.isVisible(i, mark.t);
 
+    const ProxyQuality& quality = found.quality;
+    result.searches.push_back(
+        {i, quality.pieces == 0, quality.pieces, quality.degree, quality.error});
     for (Unresolved& open : found.unresolved) open.curve = i;
     for (Degenerate& piece : found.degenerate) piece.curve = i;
     result.marks.insert(result.marks.end(), marks.begin(), marks.end());

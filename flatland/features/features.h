@@ -62,28 +62,47 @@ struct Unresolved {
 /// A piece of a curve on which some kinds of mark are undefined by nature, with the stated answer.
 struct Degenerate {
   enum class What {
-    Point,          ///< all control points coincide: no marks
-    Straight,       ///< k = 0 throughout: no inflections, extrema or apparent ridges
-    StraightEndOn,  ///< straight and seen end-on: every point is a silhouette, none is marked
+    Point,              ///< all control points coincide: no marks
+    Straight,           ///< k = 0 throughout: no inflections, extrema or apparent ridges
+    StraightEndOn,      ///< straight and seen end-on: every point is a silhouette, none is marked
+    ConstantCurvature,  ///< part of a circle: no extrema of k
   };
   What what;
   int curve;
   double tLow, tHigh;
 };
 
+/// How the marks of one curve were looked for.
+struct CurveSearch {
+  int curve;
+  bool certified;      ///< by Bernstein polynomials with certified signs; else by Chebyshev proxies
+  int pieces, degree;  ///< proxies: how many polynomials, and the largest degree; else 0
+  /// Proxies: largest estimated distance between polynomial and function, relative to the size of
+  /// the function. What comes nearer to 0 than that without crossing is listed as unresolved.
+  double errorBound;
+};
+
 struct FeatureSet {
   std::vector<Mark> marks;  ///< by curve, then t, then kind
   std::vector<Unresolved> unresolved;
   std::vector<Degenerate> degenerate;
+  std::vector<CurveSearch> searches;  ///< one for each curve that was examined, in order
 
-  /// True if every mark was found and none invented, with certified signs. Within kJointWindow of a
+  /// True if every mark was found and none invented: with certified signs, or, where a curve is no
+  /// polynomial, within the errorBound() of its proxies. Within kJointWindow of a
   /// smooth joint marks are judged by the net change across it, and next to a cusp the certificate
   /// is for the curve with the cusp made exact (tolerances.h).
   bool complete() const { return unresolved.empty(); }
+
+  /// True if no proxies were needed.
+  bool certified() const;
+  /// The largest of the searches; 0 if certified.
+  double errorBound() const;
 };
 
 /// All marks of the scene. Every kind comes from the roots of a polynomial that are isolated with
-/// certified signs (roots/isolate.h); see docs/math/features.md for the polynomials and for the
+/// certified signs (roots/isolate.h), or on a curve without Bezier form from proxies
+/// (roots/chebyshev.h); see docs/math/features.md for the polynomials and for the
 /// answers in degenerate cases. t is accurate to its last bits where the root is simple, u to 1e-12
 /// of the curve's length. Invariant under rotation of scene and view together, scaling,
 /// reversal and splitting. Cost: about 0.1 ms of a 2.5 GHz core for one curve of 5 control points

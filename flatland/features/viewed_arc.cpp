@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "flatland/features/viewed_arc.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "flatland/features/proxy_arc.h"
 #include "flatland/features/regular_arc.h"
 #include "flatland/features/tolerances.h"
 
@@ -82,14 +84,55 @@ const Roots& ViewedArc::roots(ArcFunction function) const {
   return *known;
 }
 
-std::vector<std::unique_ptr<ViewedArc>> viewedArcs(const Bezier& piece, int index,
-                                                   const ViewFrame& frame, double extent) {
+std::vector<std::unique_ptr<ViewedArc>> viewedArcs(const Curve& curve, int piece,
+                                                   const ViewFrame& frame, double extent,
+                                                   RootMethod method) {
+  const BezierChain* chain = bezierForm(curve);
+  if (!chain || method == RootMethod::Proxies) {
+    return proxyArcs([&curve, piece](double t) { return derivativesAt(curve, piece, t); }, piece,
+                     frame, extent);
+  }
   const double scale = unitScale(extent);
   std::vector<std::unique_ptr<ViewedArc>> arcs;
-  for (RegularArc& arc : regularArcs(piece, scale)) {
-    arcs.push_back(std::make_unique<PolynomialArc>(std::move(arc), index, frame, scale));
+  for (RegularArc& arc : regularArcs(chain->piece(piece), scale)) {
+    arcs.push_back(std::make_unique<PolynomialArc>(std::move(arc), piece, frame, scale));
   }
   return arcs;
+}
+
+std::vector<double> foldCuts(const Curve& curve, int piece, const ViewFrame& frame, double extent) {
+  std::vector<double> cuts;
+  const auto cutAt = [&cuts](const Roots& roots) {
+    for (const Root& root : roots.roots) cuts.push_back(root.t);
+    for (const RootInterval& open : roots.unresolved) {
+      cuts.push_back(open.low);
+      cuts.push_back(open.high);
+    }
+  };
+  if (const BezierChain* chain = bezierForm(curve)) {
+    const double scale = unitScale(extent);
+    const Bezier bezier = chain->piece(piece);
+    cutAt(isolateRoots(silhouettePolynomial(bezier, frame, scale)));
+    if (frame.distance) {
+      std::vector<double> depths;
+      for (const Vec2& p : bezier.points) {
+        depths.push_back(scale * (*frame.distance - p.dot(frame.towards)));
+      }
+      cutAt(isolateRoots(Bernstein::fromDoubles(depths)));
+    }
+  } else {
+    cutAt(proxyRoots([&](double t) {
+            return arcFunctionAt(ArcFunction::Silhouette, derivativesAt(curve, piece, t), frame);
+          }).roots);
+    if (frame.distance) {
+      cutAt(proxyRoots([&](double t) {
+              const Vec2 p = derivativesAt(curve, piece, t)[0];
+              return Measured{*frame.distance - p.dot(frame.towards), *frame.distance + p.norm()};
+            }).roots);
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
 }
 
 }  // namespace flatland

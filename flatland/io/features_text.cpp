@@ -23,6 +23,8 @@ std::string_view nameOf(Degenerate::What what) {
       return "straight";
     case Degenerate::What::StraightEndOn:
       return "straight-end-on";
+    case Degenerate::What::ConstantCurvature:
+      return "constant-curvature";
   }
   return "";
 }
@@ -69,6 +71,14 @@ std::string entry(const Degenerate& degenerate) {
          ", \"t\": " + intervalText(degenerate.tLow, degenerate.tHigh) + "}";
 }
 
+std::string entry(const CurveSearch& search) {
+  const std::string start = "{\"curve\": " + std::to_string(search.curve) + ", \"method\": ";
+  if (search.certified) return start + "\"bernstein\"}";
+  return start + "\"chebyshev\", \"pieces\": " + std::to_string(search.pieces) +
+         ", \"degree\": " + std::to_string(search.degree) +
+         ", \"errorBound\": " + numberText(search.errorBound, "null") + "}";
+}
+
 /// A list with one entry on a line.
 template <class Item>
 std::string listText(const std::vector<Item>& items) {
@@ -87,7 +97,8 @@ std::string featuresToJson(const FeatureSet& features, const View& view) {
          "},\n  \"marks\": " + listText(features.marks) +
          ",\n  \"complete\": " + (features.complete() ? "true" : "false") +
          ",\n  \"unresolved\": " + listText(features.unresolved) +
-         ",\n  \"degenerate\": " + listText(features.degenerate) + "\n}\n";
+         ",\n  \"degenerate\": " + listText(features.degenerate) +
+         ",\n  \"search\": " + listText(features.searches) + "\n}\n";
 }
 
 std::string featuresToCsv(const FeatureSet& features) {

@@ -115,13 +115,15 @@ int tableDegree(std::size_t degree) {
   return *std::lower_bound(kTableDegrees.begin(), kTableDegrees.end(), static_cast<int>(degree));
 }
 
-// Sets the first coefficients that cannot be told from zero to exactly zero; how many.
-int snapStart(std::vector<Bounded>& scaled, int most) {
-  int count = 0;
-  while (count < most && scaled[static_cast<std::size_t>(count)].certainSign() == 0) {
-    scaled[static_cast<std::size_t>(count++)] = {};
+// Sets the first coefficients that cannot be told from zero to exactly zero, the very first in any
+// case. A difference of at most `error` everywhere can be this much in a coefficient: what it is in
+// the Chebyshev polynomial of that degree, the largest of all (scaled form, so an integer).
+void snapStart(std::vector<Bounded>& scaled, double error) {
+  const std::vector<Bounded>& largest = rowsOf(static_cast<int>(scaled.size()) - 1).back();
+  for (std::size_t i = 0; i + 1 < scaled.size(); ++i) {
+    if (i > 0 && std::abs(scaled[i].hi) > error * std::abs(largest[i].hi)) break;
+    scaled[i] = {};
   }
-  return count;
 }
 
 /// A function on a stretch of [0, 1] as a polynomial, and how well.
@@ -214,7 +216,7 @@ class ProxyFinder {
     }
     double error = proxy.error;
     const std::vector<double> c = trimmed(proxy.c, error);
-    const Roots found = isolateRoots(withZeroEnds(bernsteinOf(c, error), low, high));
+    const Roots found = isolateRoots(withZeroEnds(bernsteinOf(c, error), error, low, high));
     if (!found.resolved() && !last) return divide(low, high);
     result_.pieces.push_back(
         {low, high, static_cast<int>(c.size()) - 1, error / proxy.largestSize});
@@ -267,19 +269,14 @@ class ProxyFinder {
   }
 
   // The function is known to vanish at an end: so must the polynomial.
-  Bernstein withZeroEnds(const Bernstein& p, double low, double high) const {
+  Bernstein withZeroEnds(const Bernstein& p, double error, double low, double high) const {
     const bool start = low == 0.0 && zeroAtStart_, finish = high == 1.0 && zeroAtFinish_;
     if (!start && !finish) return p;
     std::vector<Bounded> scaled = p.scaled();
-    const int most = p.degree();
-    if (start) {
-      scaled.front() = {};
-      snapStart(scaled, most);
-    }
+    if (start) snapStart(scaled, error);
     if (finish) {
       std::reverse(scaled.begin(), scaled.end());
-      scaled.front() = {};
-      snapStart(scaled, most);
+      snapStart(scaled, error);
       std::reverse(scaled.begin(), scaled.end());
     }
     return Bernstein::fromScaled(std::move(scaled));

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "flatland/curve/arc_length.h"
 #include "flatland/features/curve_marks.h"
 #include "flatland/features/orientation.h"
-#include "flatland/features/regular_arc.h"
-#include "flatland/roots/isolate.h"
+#include "flatland/features/viewed_arc.h"
 
 namespace flatland {
 
@@ -19,6 +17,7 @@ constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kMaxAngleStepDeg = 2.0;
 constexpr double kMaxLengthStep = 0.01;  // of the curve
 constexpr int kMaxHalvings = 40;
+constexpr double kLengthAccuracy = 1e-12;  // of the control polygon
 
 double angleDegOf(const Vec2& v) { return std::atan2(v.y(), v.x()) * kDegPerRad; }
 
@@ -35,44 +34,39 @@ double silhouetteAngleDeg(const Jet& jet) { return angleDegOf(jet.d1); }
 /// Sweeps one curve.
 class CurveSweeper {
  public:
-  CurveSweeper(int curve, const BezierChain& chain, int side, Sweep& result)
-      : curve_(curve), chain_(chain), side_(side), result_(result) {
-    double polygon = 0.0;
-    Vec2 low = chain.points().front(), high = low;
-    for (int i = 0; i < chain.pieceCount(); ++i) {
-      const Bezier piece = chain.piece(i);
-      for (std::size_t j = 0; j < piece.points.size(); ++j) {
-        low = low.cwiseMin(piece.points[j]), high = high.cwiseMax(piece.points[j]);
-        if (j > 0) polygon += (piece.points[j] - piece.points[j - 1]).norm();
-      }
-    }
-    accuracy_ = 1e-12 * polygon;
-    scale_ = unitScale((high - low).norm());
-    if (polygon > 0.0) length_ = arcLength(chain_, 0.0, chain_.pieceCount(), accuracy_).value;
+  CurveSweeper(int index, const Curve& curve, int side, Sweep& result)
+      : index_(index),
+        curve_(curve),
+        side_(side),
+        result_(result),
+        accuracy_(kLengthAccuracy * lengthScale(curve)),
+        extent_(boundsOf(curve).diagonal()) {
+    if (extent_ > 0.0) length_ = arcLength(curve_, 0.0, pieceCount(curve_), accuracy_).value;
   }
 
   void run() {
     if (!(length_ > 0.0)) return;  // all points coincide
     addLines();
-    for (int i = 0; i < chain_.pieceCount(); ++i) {
-      piece_ = chain_.piece(i);
-      pieceIndex_ = i;
+    for (int i = 0; i < pieceCount(curve_); ++i) {
+      piece_ = i;
       pieceStart_ = i == 0 ? 0.0 : pieceStart_ + pieceLength_;
-      pieceLength_ = arcLength(piece_, 0.0, 1.0, accuracy_).value;
-      for (const RegularArc& arc : regularArcs(piece_, scale_)) {
-        if (!arc.straight) addArc(arc);
+      pieceLength_ = lengthBetween(0.0, 1.0);
+      for (const auto& arc : viewedArcs(curve_, i, frameOf(View{}), extent_)) {
+        if (!arc->straight) addArc(*arc);
       }
     }
   }
 
  private:
-  double lengthAt(double t) const {
-    return pieceStart_ + arcLength(piece_, 0.0, t, accuracy_).value;
+  double lengthBetween(double low, double high) const {
+    return arcLength(curve_, piece_ + low, piece_ + high, accuracy_).value;
   }
+
+  double lengthAt(double t) const { return pieceStart_ + lengthBetween(0.0, t); }
 
   void addLines() {
     // Any view will do: with the side given, these kinds do not depend on it.
-    const CurveMarks found = findCurveMarks(chain_, frameOf(View{}), side_);
+    const CurveMarks found = findCurveMarks(curve_, frameOf(View{}), side_);
     for (const Unresolved& open : found.unresolved) {
       const bool moves = open.kind == MarkKind::Silhouette || open.kind == MarkKind::ApparentRidge;
       result_.complete = result_.complete && moves;
@@ -87,41 +81,38 @@ class CurveSweeper {
           break;
       }
       const double t = mark.piece + mark.t;
-      result_.lines.push_back({mark.kind, curve_, t, arcLength(chain_, 0.0, t, accuracy_).value});
+      result_.lines.push_back({mark.kind, index_, t, arcLength(curve_, 0.0, t, accuracy_).value});
     }
   }
 
-  void addArc(const RegularArc& arc) {
-    const ArcPolynomials polynomials = polynomialsOf(arc, frameOf(View{}), scale_);
-    const auto parameter = [&](double s) { return arc.tLow + s * (arc.tHigh - arc.tLow); };
+  void addArc(const ViewedArc& arc) {
     std::vector<double> cuts{arc.tLow, arc.tHigh};
-    const auto addEvents = [&](const Bernstein& p, SweepEvent::What what) {
-      const Roots roots = isolateRoots(p);
+    const auto addEvents = [&](ArcFunction function, SweepEvent::What what) {
+      const Roots& roots = arc.roots(function);
       result_.complete = result_.complete && roots.resolved();
       for (const Root& root : roots.roots) {
         if (root.t <= 0.0 || root.t >= 1.0 || !root.isCrossing()) continue;
-        const double t = parameter(root.t);
+        const double t = arc.parameter(root.t);
         // Where curvature is extreme the direction may turn by half a turn within a hair's breadth,
         // which sampling from afar would take for no turn at all: branches are cut there too.
         cuts.push_back(t);
-        const Jet jet = jetAt(piece_, t);
+        const Jet jet = jetAt(curve_, piece_, t);
         const double angle = what == SweepEvent::What::MeetsSilhouette ? silhouetteAngleDeg(jet)
                              : what == SweepEvent::What::HeadOn ? angleDegOf(frameOf(jet).normal)
                                                                 : ridgeAngleDeg(jet);
-        result_.events.push_back({what, curve_, halfTurnDeg(angle), pieceIndex_ + t, lengthAt(t)});
+        result_.events.push_back({what, index_, halfTurnDeg(angle), piece_ + t, lengthAt(t)});
       }
     };
-    addEvents(polynomials.curvature, SweepEvent::What::MeetsSilhouette);
-    addEvents(polynomials.curvaturePrime, SweepEvent::What::HeadOn);
-    const Bernstein fold = foldPolynomial(arc);
-    addEvents(fold, SweepEvent::What::Fold);
+    addEvents(ArcFunction::Curvature, SweepEvent::What::MeetsSilhouette);
+    addEvents(ArcFunction::CurvaturePrime, SweepEvent::What::HeadOn);
+    addEvents(ArcFunction::Fold, SweepEvent::What::Fold);
 
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       if (!(cuts[i + 1] > cuts[i])) continue;
       addBranch(MarkKind::Silhouette, cuts[i], cuts[i + 1], silhouetteAngleDeg);
       const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
-      const int sign = fold.at((middle - arc.tLow) / (arc.tHigh - arc.tLow)).certainSign();
+      const int sign = arc.signAt(ArcFunction::Fold, (middle - arc.tLow) / (arc.tHigh - arc.tLow));
       addBranch(sign < 0 ? MarkKind::ApparentRidge : MarkKind::ApparentMinimum, cuts[i],
                 cuts[i + 1], ridgeAngleDeg);
     }
@@ -133,16 +124,15 @@ class CurveSweeper {
   void addBranch(MarkKind kind, double low, double high, Angle angleOf) {
     const double hair = 0x1p-40 * (high - low);
     const auto sample = [&](double t) {
-      return SweepPoint{angleOf(jetAt(piece_, t)), pieceIndex_ + t, 0.0};
+      return SweepPoint{angleOf(jetAt(curve_, piece_, t)), piece_ + t, 0.0};
     };
-    SweepBranch branch{kind, curve_, {sample(low + hair)}};
+    SweepBranch branch{kind, index_, {sample(low + hair)}};
     branch.points.front().u = lengthAt(low + hair);
     refine(branch, sample(high - hair), sample, 0);
     for (std::size_t i = 1; i < branch.points.size(); ++i) {
       const SweepPoint& before = branch.points[i - 1];
       SweepPoint& point = branch.points[i];
-      point.u = before.u +
-                arcLength(piece_, before.t - pieceIndex_, point.t - pieceIndex_, accuracy_).value;
+      point.u = before.u + lengthBetween(before.t - piece_, point.t - piece_);
     }
     result_.branches.push_back(std::move(branch));
   }
@@ -152,26 +142,24 @@ class CurveSweeper {
   void refine(SweepBranch& branch, SweepPoint to, const Sample& sample, int depth) {
     const SweepPoint& from = branch.points.back();
     to.angleDeg = from.angleDeg + halfTurnDeg(to.angleDeg - from.angleDeg);
-    const double chord =
-        (pointAt(piece_, to.t - pieceIndex_) - pointAt(piece_, from.t - pieceIndex_)).norm();
+    const double chord = (pointAt(curve_, to.t) - pointAt(curve_, from.t)).norm();
     const bool close = std::abs(to.angleDeg - from.angleDeg) <= kMaxAngleStepDeg &&
                        chord <= kMaxLengthStep * length_ && depth >= 4;
     if (close || depth == kMaxHalvings) {
       branch.points.push_back(to);
       return;
     }
-    const SweepPoint middle = sample(0.5 * (from.t + to.t) - pieceIndex_);
+    const SweepPoint middle = sample(0.5 * (from.t + to.t) - piece_);
     refine(branch, middle, sample, depth + 1);
     refine(branch, to, sample, depth + 1);
   }
 
-  int curve_;
-  const BezierChain& chain_;
+  int index_;
+  const Curve& curve_;
   int side_;
   Sweep& result_;
-  double accuracy_ = 0.0, scale_ = 1.0, length_ = 0.0;
-  Bezier piece_;
-  int pieceIndex_ = 0;
+  double accuracy_, extent_, length_ = 0.0;
+  int piece_ = 0;
   double pieceStart_ = 0.0, pieceLength_ = 0.0;
 };
 
@@ -187,11 +175,8 @@ Sweep sweepOf(const Scene& scene) {
   Sweep result;
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
     const SceneCurve& curve = scene.curves[i];
-    if (const BezierChain* chain = bezierForm(curve.shape)) {
-      CurveSweeper(static_cast<int>(i), *chain, normalSide(curve, frame), result).run();
-    } else {
-      result.complete = false;  // not computed for this kind of curve
-    }
+    result.certified = result.certified && bezierForm(curve.shape) != nullptr;
+    CurveSweeper(static_cast<int>(i), curve.shape, normalSide(curve, frame), result).run();
   }
   std::sort(result.events.begin(), result.events.end(),
             [](const SweepEvent& a, const SweepEvent& b) {

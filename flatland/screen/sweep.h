@@ -61,7 +61,9 @@ struct Sweep {
   std::vector<SweepLine> lines;
   std::vector<SweepBranch> branches;
   std::vector<SweepEvent> events;  ///< by curve, then t
-  bool complete = true;            ///< all events were isolated with certified signs
+  /// All events were isolated, with certified signs or within the bound of proxies.
+  bool complete = true;
+  bool certified = true;  ///< no proxies were needed
 };
 
 /// The sweep of a scene. Its own view only names the sides: ridge or valley as in that view. Its

@@ -8,8 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "flatland/features/regular_arc.h"
-#include "flatland/roots/isolate.h"
+#include "flatland/features/viewed_arc.h"
 
 namespace flatland {
 
@@ -42,15 +41,16 @@ struct Part {
 struct Visibility::Parts {
   ViewFrame frame;
   std::vector<Curve> curves;
-  std::vector<std::vector<Bezier>> pieces;  ///< of each curve; none without a Bezier form
+  std::vector<std::vector<Bezier>> pieces;  ///< of each curve that has a Bezier form
   std::vector<Part> parts;
   double size = 1.0;
   std::mutex mutex;  ///< for the intervals, found when first asked for
   std::vector<std::optional<std::vector<Interval>>> intervals;
 
   Vec2 point(const Part& part, double t) const {
-    return pointAt(
-        pieces[static_cast<std::size_t>(part.curve)][static_cast<std::size_t>(part.piece)], t);
+    const auto curve = static_cast<std::size_t>(part.curve);
+    if (pieces[curve].empty()) return pointAt(curves[curve], part.piece + t);
+    return pointAt(pieces[curve][static_cast<std::size_t>(part.piece)], t);
   }
 
   double depth(const Vec2& p) const {
@@ -64,29 +64,18 @@ struct Visibility::Parts {
     return p.dot(frame.axis) * depth(q) - q.dot(frame.axis) * depth(p);
   }
 
-  void add(int curve, const BezierChain& chain) {
-    const double scale = unitScale(size);
+  void add(int index, const Curve& curve) {
+    curves.push_back(curve);
     auto& own = pieces.emplace_back();
-    for (int i = 0; i < chain.pieceCount(); ++i) {
-      own.push_back(chain.piece(i));
-      std::vector<double> cuts{0.0, 1.0};
-      const auto cutAtRoots = [&](const Bernstein& p) {
-        const Roots roots = isolateRoots(p);
-        for (const Root& root : roots.roots) cuts.push_back(root.t);
-        for (const RootInterval& open : roots.unresolved) {
-          cuts.push_back(open.low);
-          cuts.push_back(open.high);
-        }
-      };
-      cutAtRoots(silhouettePolynomial(own.back(), frame, scale));
-      if (frame.distance) {  // and where it passes beside the viewer
-        std::vector<double> depths;
-        for (const Vec2& p : own.back().points) depths.push_back(scale * depth(p));
-        cutAtRoots(Bernstein::fromDoubles(depths));
-      }
-      std::sort(cuts.begin(), cuts.end());
+    if (const BezierChain* chain = bezierForm(curve)) {
+      for (int i = 0; i < chain->pieceCount(); ++i) own.push_back(chain->piece(i));
+    }
+    for (int i = 0; i < pieceCount(curve); ++i) {
+      std::vector<double> cuts = foldCuts(curve, i, frame, size);
+      cuts.insert(cuts.begin(), 0.0);
+      cuts.push_back(1.0);
       for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
-        if (cuts[c + 1] > cuts[c]) addPart({curve, i, cuts[c], cuts[c + 1], 0.0, 0.0});
+        if (cuts[c + 1] > cuts[c]) addPart({index, i, cuts[c], cuts[c + 1], 0.0, 0.0});
       }
     }
   }
@@ -173,13 +162,7 @@ Visibility::Visibility(const Scene& scene) : parts_(std::make_unique<Parts>()) {
   const Bounds bounds = boundsOf(scene);
   if (bounds.diagonal() > 0.0) parts_->size = bounds.diagonal();
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
-    // Curves without a Bezier form hide nothing and count as seen.
-    parts_->curves.push_back(scene.curves[i].shape);
-    if (const BezierChain* chain = bezierForm(scene.curves[i].shape)) {
-      parts_->add(static_cast<int>(i), *chain);
-    } else {
-      parts_->pieces.emplace_back();
-    }
+    parts_->add(static_cast<int>(i), scene.curves[i].shape);
   }
   parts_->intervals.resize(scene.curves.size());
 }
@@ -209,8 +192,6 @@ const std::vector<Visibility::Interval>& Visibility::visibleIntervals(int curve)
 std::vector<Visibility::Interval> Visibility::findVisibleIntervals(int curve) const {
   // Visibility changes where the image of a fold or end passes, and where curves cross.
   const Parts& all = *parts_;
-  const Curve& shape = all.curves[static_cast<std::size_t>(curve)];
-  if (!bezierForm(shape)) return {{0.0, pieceCount(shape) + 0.0}};
   std::vector<Vec2> edges;
   for (const Part& part : all.parts) {
     edges.push_back(all.point(part, part.low));

@@ -188,7 +188,9 @@ class Profiler {
     if (const Degenerate* known = degenerateAt(s.t)) {
       // A joint belongs to what it is an end of only if that is straight from both sides.
       const bool inner = s.t > known->tLow && s.t < known->tHigh;
-      if (inner || std::abs(s.k) * size_ < kZero) {
+      if (known->what == Degenerate::What::ConstantCurvature) {
+        s.kPrime = s.feature = 0.0;
+      } else if (inner || std::abs(s.k) * size_ < kZero) {
         s.k = s.kPrime = s.feature = s.offset = s.perspective = 0.0;
         s.lambda = 0.0;
         if (known->what == Degenerate::What::StraightEndOn) s.lambda.reset();

@@ -44,7 +44,9 @@ FeatureSet handMade() {
   set.unresolved = {{MarkKind::Flat, 1, 0.25, 0.5, "two \"near\" roots\n"}};
   set.degenerate = {{Degenerate::What::Point, 0, 0.0, 1.0},
                     {Degenerate::What::Straight, 1, 1.0, 2.0},
-                    {Degenerate::What::StraightEndOn, 2, 2.0, 3.0}};
+                    {Degenerate::What::StraightEndOn, 2, 2.0, 3.0},
+                    {Degenerate::What::ConstantCurvature, 3, 0.0, 1.0}};
+  set.searches = {{0, true, 0, 0, 0.0}, {3, false, 17, 32, 2.5e-14}};
   return set;
 }
 
@@ -86,7 +88,15 @@ TEST(FeaturesJson, HasEveryFieldUnderItsName) {
       {"degenerate",
        {{{"what", "point"}, {"curve", 0}, {"t", {0, 1}}},
         {{"what", "straight"}, {"curve", 1}, {"t", {1, 2}}},
-        {{"what", "straight-end-on"}, {"curve", 2}, {"t", {2, 3}}}}}};
+        {{"what", "straight-end-on"}, {"curve", 2}, {"t", {2, 3}}},
+        {{"what", "constant-curvature"}, {"curve", 3}, {"t", {0, 1}}}}},
+      {"search",
+       {{{"curve", 0}, {"method", "bernstein"}},
+        {{"curve", 3},
+         {"method", "chebyshev"},
+         {"pieces", 17},
+         {"degree", 32},
+         {"errorBound", 2.5e-14}}}}};
   EXPECT_EQ(read, expected) << read.dump(1);
 }
 
@@ -94,7 +104,7 @@ TEST(FeaturesJson, OrthographicAndEmpty) {
   EXPECT_EQ(featuresToJson({}, {}),
             "{\n  \"flatland\": 1,\n  \"view\": {\"angleDeg\": 0, \"distance\": null},\n"
             "  \"marks\": [],\n  \"complete\": true,\n  \"unresolved\": [],\n"
-            "  \"degenerate\": []\n}\n");
+            "  \"degenerate\": [],\n  \"search\": []\n}\n");
 }
 
 TEST(FeaturesJson, NumbersReadBackToTheSameBits) {

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 
+#include "flatland/curve/roots_along.h"
 #include "tests/support/seed.h"
 
 namespace flatland::test {
@@ -260,6 +261,18 @@ TEST(Chebyshev, AgreesWithTheColleagueMatrix) {
     }
   }
   EXPECT_GE(compared, 299);
+}
+
+TEST(RootsAlong, AnyFunctionOfTheDerivatives) {
+  // Where the unit circle's tangent has slope 1: at 135 and 315 degrees.
+  const Curve circle = *FormulaCurve::make(FamilyCurve{Family::Id::Circle, {1.0}}).curve;
+  const auto found = rootsAlong(circle, [](const std::array<Vec2, 5>& d) {
+    return Measured{d[1].x() - d[1].y(), d[1].norm()};
+  });
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_EQ(found[0].roots.roots.size(), 2u);
+  EXPECT_NEAR(found[0].roots.roots[0].t, 0.375, kLastBits);
+  EXPECT_NEAR(found[0].roots.roots[1].t, 0.875, kLastBits);
 }
 
 TEST(Chebyshev, AgreesWithExactIsolationOfPolynomials) {

@@ -48,8 +48,9 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document)
   marks_->setObjectName("status.marks");
   marks_->setAutoRaise(true);
   marks_->setToolTip(
-      tr("Whether every mark was found and none invented, with certified signs. A "
-         "click lists the places where that could not be decided."));
+      tr("Whether every mark was found and none invented, with certified signs, or on a "
+         "curve of formulas within an error. A click lists the places where that could not be "
+         "decided."));
   places_ = new QMenu(marks_);
   places_->setObjectName("status.places");
   connect(places_, &QMenu::aboutToShow, this, &StatusLine::listPlaces);
@@ -136,8 +137,14 @@ void StatusLine::showScene() {
                                : tr("View %1").arg(angle));
   const int marks = static_cast<int>(features.marks.size());
   const int places = static_cast<int>(features.unresolved.size());
-  marks_->setText(features.complete() ? tr("all %n marks certified", nullptr, marks)
-                                      : tr("%n places unresolved", nullptr, places));
+  if (!features.complete()) {
+    marks_->setText(tr("%n places unresolved", nullptr, places));
+  } else if (features.certified()) {
+    marks_->setText(tr("all %n marks certified", nullptr, marks));
+  } else {
+    const QString bound = QString::number(features.errorBound(), 'e', 0);
+    marks_->setText(tr("all %n marks found to %1", nullptr, marks).arg(bound));
+  }
   marks_->setAccessibleName(marks_->text());
   time_->setText(tr("%1 ms").arg(document_.featureMilliseconds(), 0, 'f', 2));
 }

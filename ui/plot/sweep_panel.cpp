@@ -156,7 +156,9 @@ void SweepPanel::showState() {
         std::count_if(sweep.events.begin(), sweep.events.end(),
                       [](const SweepEvent& e) { return e.what == SweepEvent::What::Fold; });
     parts << tr("%n births or merges in half a turn", nullptr, static_cast<int>(folds));
-    parts << (sweep.complete ? tr("certified") : tr("not certified"));
+    parts << (!sweep.complete   ? tr("not complete")
+              : sweep.certified ? tr("certified")
+                                : tr("complete"));
   }
   state_->setText(parts.join(tr(" · ")));
   state_->setToolTip(state_->text());
