@@ -44,6 +44,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
       selection_(document_),
       stage_(document_),
       probe_(document_),
+      plots_(document_, selection_, display_, probe_),
       docks_(std::make_unique<Docks>(*this)) {
   setObjectName("window");
   setAcceptDrops(true);
@@ -52,7 +53,8 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
   status_ = new StatusLine(*statusBar(), document_);
   buildCentre();
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  addPanels(*docks_, models(), *status_);
+  addPanels(*docks_, models(),
+            {.status = *status_, .messages = *messages_, .plots = plots_, .settings = settings_});
   files_ = new FileController(*this, document_, *messages_, settings_);
   edits_ = new EditController(models(), this);
   resize(kDefaultSize);
@@ -95,6 +97,7 @@ void MainWindow::buildMenuBar() {
               .canvas = *canvas_,
               .files = *files_,
               .edits = *edits_,
+              .plots = plots_,
               .docks = docks_->all(),
               .exportFigure = [this] { exportFigure(); },
               .showKeys = [this] { showKeys(); },

@@ -8,6 +8,7 @@
 #include "ui/app/edit_controller.h"
 #include "ui/app/file_controller.h"
 #include "ui/flat/canvas.h"
+#include "ui/model/plots.h"
 
 class QSettings;
 class QToolBar;
@@ -37,6 +38,7 @@ class MainWindow : public QMainWindow {
   Display& display() { return display_; }
   Stage& stage() { return stage_; }
   Probe& probe() { return probe_; }
+  Plots& plots() { return plots_; }
   FlatCanvas& canvas() { return *canvas_; }
   FileController& files() { return *files_; }
 
@@ -67,6 +69,7 @@ class MainWindow : public QMainWindow {
   Display display_;
   Stage stage_;
   Probe probe_;
+  Plots plots_;
   std::unique_ptr<Docks> docks_;
   Look* look_ = nullptr;
   Layouts* layouts_ = nullptr;

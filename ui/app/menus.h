@@ -18,6 +18,7 @@ class QToolBar;
 namespace flatland::ui {
 
 class Layouts;
+class Plots;
 
 /// What the menus act on; all of it outlives them.
 struct MenuParts {
@@ -26,6 +27,7 @@ struct MenuParts {
   FlatCanvas& canvas;
   FileController& files;
   EditController& edits;
+  Plots& plots;
   QList<QDockWidget*> docks;
   std::function<void()> exportFigure;
   std::function<void()> showKeys;
@@ -46,6 +48,7 @@ void buildEditMenu(QMenu& menu, const MenuParts& parts);
 void buildCurveMenu(QMenu& menu, const MenuParts& parts);
 void buildViewMenu(QMenu& menu, const MenuParts& parts);
 void addLayoutMenus(QMenu& viewMenu, const MenuParts& parts);  ///< layout, theme, size, language
+void buildProbeMenu(QMenu& menu, const MenuParts& parts);  // within the View menu
 void buildHelpMenu(QMenu& menu, const MenuParts& parts);
 
 /// How an action is met: by name, in the menu, by keys, in words.

@@ -3,11 +3,14 @@
 
 #include <QCoreApplication>
 
+#include "ui/app/message_bar.h"
 #include "ui/app/status_line.h"
 #include "ui/panels/legend_panel.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/panels/points_panel.h"
+#include "ui/panels/probe_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/plot/plots_panel.h"
 #include "ui/plot/limits_panel.h"
 #include "ui/plot/study_panel.h"
 #include "ui/plot/sweep_panel.h"
@@ -22,15 +25,22 @@ struct PanelsWords {
 
 }  // namespace
 
-void addPanels(Docks& docks, const CanvasModels& models, StatusLine& status) {
+void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts) {
+  StatusLine& status = parts.status;
   using Group = Docks::Group;
   docks.add("view", PanelsWords::tr("View"), new ViewPanel(models.document, models.stage),
             Group::Top);
   docks.add("legend", PanelsWords::tr("Legend"), new LegendPanel(models.document, models.display),
             Group::Side);
+  docks.add("probe", PanelsWords::tr("Probe"),
+            new ProbePanel(models.document, models.probe, parts.plots), Group::Side);
   auto* points = new PointsPanel(models.document, models.selection);
   QObject::connect(points, &PointsPanel::refused, &status, &StatusLine::say);
   docks.add("points", PanelsWords::tr("Points"), points, Group::Side);
+  auto* plots = new PlotsPanel(parts.plots, models.display, parts.settings);
+  QObject::connect(plots, &PlotsPanel::said, &status, &StatusLine::say);
+  QObject::connect(plots, &PlotsPanel::failed, &parts.messages, &MessageBar::showError);
+  docks.add("plots", PanelsWords::tr("Plots"), plots, Group::Plots);
   auto* sweep = new SweepPanel(models);
   QObject::connect(sweep, &SweepPanel::said, &status, &StatusLine::say);
   docks.add("sweep", PanelsWords::tr("Sweep"), sweep, Group::Plots);

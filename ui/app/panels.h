@@ -4,12 +4,23 @@
 #include "ui/app/docks.h"
 #include "ui/flat/canvas_models.h"
 
+class QSettings;
+
 namespace flatland::ui {
 
+class MessageBar;
+class Plots;
 class StatusLine;
 
-/// Makes every panel of the window and puts it in its dock. What a panel refuses is said in the
-/// status line.
-void addPanels(Docks& docks, const CanvasModels& models, StatusLine& status);
+/// What the panels need beside the models; all of it outlives them.
+struct PanelParts {
+  StatusLine& status;    ///< says what a panel refuses or has done
+  MessageBar& messages;  ///< for files that cannot be written
+  Plots& plots;
+  QSettings* settings;  ///< null: nothing is remembered
+};
+
+/// Makes every panel of the window and puts it in its dock.
+void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts);
 
 }  // namespace flatland::ui

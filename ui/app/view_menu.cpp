@@ -113,6 +113,10 @@ void buildViewMenu(QMenu& menu, const MenuParts& parts) {
   addAngles(menu, parts.edits);
   menu.addSeparator();
   addSwitches(menu, parts);
+  QMenu* probe = menu.addMenu(ViewMenuWords::tr("Pro&be"));
+  probe->setObjectName("menu.view.probe");
+  probe->setToolTipsVisible(true);
+  buildProbeMenu(*probe, parts);
   menu.addSeparator();
   QMenu& panels = addSubmenu(menu, "menu.view.panels", ViewMenuWords::tr("Pa&nels"));
   for (QDockWidget* dock : parts.docks) {

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPointingDevice>
 #include <cmath>
+#include <limits>
 
 #include "ui/commands/curve_commands.h"
 #include "ui/flat/canvas_painter.h"
@@ -46,6 +47,7 @@ FlatCanvas::FlatCanvas(const CanvasModels& models, QWidget* parent)
   connect(&models_.display, &Display::changed, this, repaint);
   connect(&models_.display, &Display::changed, this, &FlatCanvas::resizeDrawing);
   connect(&models_.stage, &Stage::changed, this, repaint);
+  connect(&models_.probe, &Probe::changed, this, repaint);
   fit();
 }
 
@@ -54,6 +56,19 @@ FlatCanvas::~FlatCanvas() = default;
 void FlatCanvas::fit() {
   models_.stage.renew();
   models_.viewport.fit(models_.stage.fitBox());
+}
+
+void FlatCanvas::placeProbe() {
+  const auto& curves = models_.document.scene().curves;
+  std::optional<Probe::Place> place = models_.probe.home();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; pointer_ && c < curves.size(); ++c) {
+    const Nearest here = nearestPoint(curves[c].shape, models_.viewport.toWorld(*pointer_));
+    if (here.distance >= nearest) continue;
+    nearest = here.distance;
+    place = Probe::Place{c, here.t};
+  }
+  models_.probe.setPlace(place);
 }
 
 void FlatCanvas::documentChanged(const Change& change) {
@@ -125,6 +140,7 @@ void FlatCanvas::mouseMoveEvent(QMouseEvent* event) {
   } else {
     hover(event->position());
   }
+  pointer_ = event->position();
   emit pointerAt(models_.viewport.toWorld(event->position()));
 }
 
@@ -141,6 +157,14 @@ void FlatCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
   const Target target = targetAt(models_, size(), event->position());
   if (event->button() == Qt::LeftButton && target.what == Target::What::Curve) {
     insertPointAt(target.point.curve, target.t);
+    hover(event->position());
+  } else if (event->button() == Qt::LeftButton && target.what == Target::What::Probe) {
+    // The first click of the two may have put it here. On a mark, the very place of the mark.
+    const auto& marks = models_.document.features().marks;
+    const Probe::Place place = *models_.probe.place();
+    const bool onMark =
+        target.below && static_cast<std::size_t>(marks[*target.below].curve) == place.curve;
+    insertPointAt(place.curve, onMark ? marks[*target.below].t : place.t);
     hover(event->position());
   } else if (const auto mark = markOnCurve(target, event->position());
              mark && event->button() == Qt::LeftButton) {
@@ -199,6 +223,8 @@ void FlatCanvas::keyPressEvent(QKeyEvent* event) {
         cancelGesture();
       } else if (!models_.selection.points().empty() || models_.selection.mark()) {
         models_.selection.clear();
+      } else if (models_.probe.place() && !models_.display.isProjector()) {
+        models_.probe.setPlace(std::nullopt);
       } else {
         event->ignore();  // nothing here to take back: the window may have something
       }
@@ -260,6 +286,7 @@ bool FlatCanvas::focusNextPrevChild(bool next) {
 }
 
 void FlatCanvas::leaveEvent(QEvent*) {
+  pointer_.reset();
   if (gesture_) return;
   hover(QPointF(-1e6, -1e6));
   emit pointerAt(std::nullopt);

@@ -24,6 +24,10 @@ class FlatCanvas : public QWidget {
   /// Shows the whole scene with its ring.
   void fit();
 
+  /// Puts the probe on the place of a curve nearest to the pointer, or at home if that is
+  /// elsewhere.
+  void placeProbe();
+
   QSize sizeHint() const override { return {720, 560}; }
   QSize minimumSizeHint() const override { return {240, 200}; }
 
@@ -65,9 +69,10 @@ class FlatCanvas : public QWidget {
   CanvasModels models_;
   std::unique_ptr<Gesture> gesture_;
   Target hovered_;
-  bool panKey_ = false;      ///< Space is down
-  bool showsFocus_ = false;  ///< the focus came by keyboard, so it is drawn
-  int nudge_ = 0;            ///< gesture of a held arrow key
+  std::optional<QPointF> pointer_;  ///< while it is over the canvas
+  bool panKey_ = false;             ///< Space is down
+  bool showsFocus_ = false;         ///< the focus came by keyboard, so it is drawn
+  int nudge_ = 0;                   ///< gesture of a held arrow key
 };
 
 }  // namespace flatland::ui

@@ -10,6 +10,7 @@
 #include "flatland/curve/curve_editing.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/flat_figure.h"
+#include "ui/flat/probe_overlay.h"
 #include "ui/model/theme.h"
 
 namespace flatland::ui {
@@ -42,10 +43,12 @@ class CanvasPainter {
     paintRing();
     if (models_.display.showsControlPolygon()) paintControlPolygons();
     paintHoveredCurve();
+    paintBelowProbe(painter_, models_, scale_, size_);
     paintPoints(false);
     paintFigure();
     paintSelectedMark();
     paintHoveredMark();
+    paintProbe(painter_, models_, scale_, state_.hovered.what == Target::What::Probe);
     paintPoints(true);
     paintHandle();
     painter_.restore();

@@ -41,6 +41,7 @@ std::unique_ptr<Gesture> pressCurve(const CanvasModels& models, const Target& ta
   plan.clicked = plan.selected;
   plan.anchor = pointAt(curve, target.t);
   if (plan.moving.empty()) plan.curve = target.point.curve;
+  plan.probe = Probe::Place{target.point.curve, target.t};
   return std::make_unique<MovePointsGesture>(models, std::move(plan), pressed);
 }
 
@@ -53,6 +54,8 @@ std::unique_ptr<Gesture> beginGesture(const CanvasModels& models, const Target& 
       return std::make_unique<TurnViewGesture>(models, pressed, canvas);
     case Target::What::Point:
       return pressPoint(models, target.point, pressed);
+    case Target::What::Probe:
+      return std::make_unique<ProbeGesture>(models, target, pressed);
     case Target::What::Mark:
       return std::make_unique<PickMarkGesture>(models, target.mark);
     case Target::What::Curve:
@@ -77,6 +80,10 @@ QString describe(const CanvasModels& models, const Target& target) {
           .arg(target.point.point)
           .arg(at);
     }
+    case Target::What::Probe:
+      return Gesture::tr(
+                 "Probe at t = %1: drag to slide it along the curve; M goes to the next mark.")
+          .arg(models.probe.place()->t, 0, 'f', 4);
     case Target::What::Mark: {
       const Mark& mark = models.document.features().marks[target.mark];
       return Gesture::tr("%1 at t = %2%3: click to find it in the table.")
@@ -85,7 +92,8 @@ QString describe(const CanvasModels& models, const Target& target) {
           .arg(mark.visible ? QString() : Gesture::tr(", hidden from the screen"));
     }
     case Target::What::Curve:
-      return Gesture::tr("Double-click to insert a point here; drag to move the whole curve.");
+      return Gesture::tr(
+          "Click to put the probe here, double-click to insert a point; drag to move the curve.");
     case Target::What::Nothing:
       break;
   }

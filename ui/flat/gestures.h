@@ -33,6 +33,7 @@ class MovePointsGesture : public Gesture {
     std::set<PointRef> clicked;             ///< the selection that a mere click leaves
     std::optional<std::size_t> curve = {};  ///< one without points that moves as a whole
     Vec2 anchor;  ///< the place whose coordinates are shown, before the drag
+    std::optional<Probe::Place> probe = {};  ///< where a mere click puts the probe
   };
   MovePointsGesture(const CanvasModels& models, Plan plan, const Pointer& pressed);
 
@@ -119,6 +120,25 @@ class PickMarkGesture : public Gesture {
  private:
   CanvasModels models_;
   std::optional<MarkKey> before_;
+};
+
+/// Slides the probe along its curve.
+class ProbeGesture : public Gesture {
+ public:
+  ProbeGesture(const CanvasModels& models, const Target& target, const Pointer& pressed);
+
+  void move(const Pointer& pointer) override;
+  void finish(const Pointer& pointer) override;
+  void cancel() override;
+  QString status() const override;
+  void paint(QPainter& painter) const override;
+
+ private:
+  CanvasModels models_;
+  std::optional<Probe::Place> before_;
+  std::optional<std::size_t> mark_;  ///< below the probe
+  QPointF pressed_;
+  bool moved_ = false;
 };
 
 /// Moves the canvas.

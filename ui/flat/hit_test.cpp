@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/export/flat_figure.h"
+#include "ui/flat/probe_overlay.h"
 
 namespace flatland::ui {
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kHandleReach = 16.0;
 constexpr double kPointReach = 9.0;
 constexpr double kMarkReach = 8.0;
+constexpr double kProbeReach = 9.0;
 constexpr double kCurveReach = 6.0;
 
 /// Distance of the edge handle from the edge of the canvas.
@@ -97,7 +99,12 @@ Target targetAt(const CanvasModels& models, const QSizeF& canvas, const QPointF&
   if (QLineF(handlePlace(models, canvas).at, position).length() <= scale * kHandleReach) {
     return {.what = Target::What::ViewHandle};
   }
-  if (const auto mark = nearestMarkAt(models, position, scale * kMarkReach)) {
+  const auto mark = nearestMarkAt(models, position, scale * kMarkReach);
+  const auto probe = probeOnCanvas(models);
+  if (probe && QLineF(*probe, position).length() <= scale * kProbeReach) {
+    return {.what = Target::What::Probe, .below = mark};
+  }
+  if (mark) {
     return {.what = Target::What::Mark, .mark = *mark};
   }
   const Vec2 world = models.viewport.toWorld(position);

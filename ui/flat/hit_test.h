@@ -3,6 +3,7 @@
 
 #include <QPointF>
 #include <QSizeF>
+#include <optional>
 
 #include "ui/flat/canvas_models.h"
 
@@ -10,11 +11,12 @@ namespace flatland::ui {
 
 /// What lies under a position of the canvas.
 struct Target {
-  enum class What { Nothing, ViewHandle, Point, Mark, Curve };
+  enum class What { Nothing, ViewHandle, Point, Probe, Mark, Curve };
   What what = What::Nothing;
-  PointRef point{};      ///< Point: which; Curve: its curve
-  std::size_t mark = 0;  ///< Mark: index in the features
-  double t = 0.0;        ///< Curve: the parameter nearest to the position
+  PointRef point{};                    ///< Point: which; Curve: its curve
+  std::size_t mark = 0;                ///< Mark: index in the features
+  double t = 0.0;                      ///< Curve: the parameter nearest to the position
+  std::optional<std::size_t> below{};  ///< Probe: the mark it covers
 
   bool operator==(const Target&) const = default;
 };
@@ -36,7 +38,8 @@ HandlePlace handlePlace(const CanvasModels& models, const QSizeF& canvas);
 std::optional<QPointF> markOnScreen(const CanvasModels& models, const Mark& mark);
 
 /// The foremost thing within reach of `position` (pixels): control points (the selected ones
-/// first), then the handle, marks that are shown (on the curve and on the screen), curves.
+/// first), then the handle, the probe, marks that are shown (on the curve and on the screen),
+/// curves.
 Target targetAt(const CanvasModels& models, const QSizeF& canvas, const QPointF& position);
 
 }  // namespace flatland::ui

@@ -33,7 +33,9 @@ void MovePointsGesture::move(const Pointer& pointer) {
 
 void MovePointsGesture::finish(const Pointer& pointer) {
   move(pointer);
-  if (state_ == State::Pressed) models_.selection.setPoints(plan_.clicked);
+  if (state_ != State::Pressed) return;
+  models_.selection.setPoints(plan_.clicked);
+  if (plan_.probe) models_.probe.setPlace(plan_.probe);
 }
 
 void MovePointsGesture::cancel() {

@@ -20,6 +20,10 @@ constexpr std::pair<Display::Theme, const char*> kThemes[] = {
     {Display::Theme::Light, "light"},
     {Display::Theme::Dark, "dark"},
     {Display::Theme::HighContrast, "high-contrast"}};
+constexpr const char* kOverlayKeys[] = {"display/probe-vectors", "display/osculating-circle",
+                                        "display/curvature-comb", "display/screen-turn"};
+constexpr const char* kPlotKeys[] = {"plots/curvature", "plots/lambda", "plots/terms",
+                                     "plots/ratio"};
 
 }  // namespace
 
@@ -48,6 +52,32 @@ void Display::set(bool& value, bool shown) {
   emit changed();
 }
 
+void Display::setShows(Overlay overlay, bool shown) {
+  if (shows(overlay) == shown) return;
+  overlays_.set(static_cast<std::size_t>(overlay), shown);
+  emit changed();
+}
+
+void Display::setCombScale(double scale) {
+  if (!std::isfinite(scale)) return;
+  const double clamped = std::clamp(scale, 1.0 / kLongestComb, kLongestComb);
+  if (combScale_ == clamped) return;
+  combScale_ = clamped;
+  emit changed();
+}
+
+void Display::setShows(PlotKind kind, bool shown) {
+  if (shows(kind) == shown) return;
+  plots_.set(static_cast<std::size_t>(kind), shown);
+  emit changed();
+}
+
+void Display::setPlotAbscissa(Abscissa abscissa) {
+  if (abscissa_ == abscissa) return;
+  abscissa_ = abscissa;
+  emit changed();
+}
+
 void Display::setUiScale(double scale) {
   if (!std::isfinite(scale)) return;
   double& mine = projector_ ? projectorScale_ : workScale_;
@@ -73,6 +103,16 @@ void Display::restore(const QSettings& settings) {
   }
   setShowsControlPolygon(settings.value("display/control-polygon", controlPolygon_).toBool());
   setShowsHidden(settings.value("display/hidden", hidden_).toBool());
+  for (std::size_t i = 0; i < kOverlayCount; ++i) {
+    overlays_[i] = settings.value(kOverlayKeys[i], overlays_.test(i)).toBool();
+  }
+  for (std::size_t i = 0; i < kPlotKindCount; ++i) {
+    plots_[i] = settings.value(kPlotKeys[i], plots_.test(i)).toBool();
+  }
+  const bool onScreen = settings.value("plots/against").toString() == "screen";
+  abscissa_ = onScreen ? Abscissa::Screen : Abscissa::ArcLength;
+  const double comb = settings.value("display/comb-scale", combScale_).toDouble();
+  if (comb > 0.0) setCombScale(comb);
   const auto scale = [&settings](const char* key, double usual) {
     bool isNumber = false;
     const double saved = settings.value(key, usual).toDouble(&isNumber);
@@ -92,6 +132,14 @@ void Display::save(QSettings& settings) const {
     settings.setValue(familyKey(kind), shows(kind));
   settings.setValue("display/control-polygon", controlPolygon_);
   settings.setValue("display/hidden", hidden_);
+  for (std::size_t i = 0; i < kOverlayCount; ++i) {
+    settings.setValue(kOverlayKeys[i], overlays_.test(i));
+  }
+  for (std::size_t i = 0; i < kPlotKindCount; ++i) {
+    settings.setValue(kPlotKeys[i], plots_.test(i));
+  }
+  settings.setValue("plots/against", abscissa_ == Abscissa::Screen ? "screen" : "arc-length");
+  settings.setValue("display/comb-scale", combScale_);
   settings.setValue("display/scale", workScale_);
   settings.setValue("display/projector-scale", projectorScale_);
   for (const auto& [theme, name] : kThemes) {

@@ -5,11 +5,25 @@
 #include <optional>
 #include <string_view>
 
+#include "flatland/study/profile_lines.h"
 #include "ui/export/mark_style.h"
 
 class QSettings;
 
 namespace flatland::ui {
+
+/// The plots along the curve.
+enum class PlotKind { Curvature, Lambda, Terms, Ratio };
+inline constexpr int kPlotKindCount = 4;
+
+/// What is drawn around the probe and its curve on the canvas.
+enum class Overlay {
+  Vectors,     ///< n, t and the curvature vector at the probe
+  Circle,      ///< osculating circle
+  Comb,        ///< curvature comb of the probe's curve
+  ScreenTurn,  ///< dn/di on the screen
+};
+inline constexpr int kOverlayCount = 4;
 
 /// What the person wants to see of the scene: no part of the document, so not undone or saved with
 /// it, but remembered between sessions.
@@ -30,6 +44,21 @@ class Display : public QObject {
   /// Hidden marks and parts of the curve: shown paler, or not at all.
   bool showsHidden() const { return hidden_; }
   void setShowsHidden(bool shown);
+
+  /// All but the comb, unless changed.
+  bool shows(Overlay overlay) const { return overlays_.test(static_cast<std::size_t>(overlay)); }
+  void setShows(Overlay overlay, bool shown);
+  /// How many times as long as usual the comb's teeth are: between 1 and kLongestComb either way.
+  double combScale() const { return combScale_; }
+  void setCombScale(double scale);
+  static constexpr double kLongestComb = 64.0;
+
+  /// All, unless changed.
+  bool shows(PlotKind kind) const { return plots_.test(static_cast<std::size_t>(kind)); }
+  void setShows(PlotKind kind, bool shown);
+  /// What the plots are drawn against.
+  Abscissa plotAbscissa() const { return abscissa_; }
+  void setPlotAbscissa(Abscissa abscissa);
 
   /// How much larger than usual everything is drawn, text, marks and lines alike, on canvas,
   /// plots and lesson: between 1 and kLargestScale. Projector mode has a scale of its own.
@@ -68,6 +97,10 @@ class Display : public QObject {
   MarkKinds families_ = defaultMarkKinds();
   bool controlPolygon_ = true;
   bool hidden_ = true;
+  std::bitset<kOverlayCount> overlays_{0b1011};
+  double combScale_ = 1.0;
+  std::bitset<kPlotKindCount> plots_{0b1111};
+  Abscissa abscissa_ = Abscissa::ArcLength;
   bool projector_ = false;
   Theme theme_ = Theme::System;
   bool wheelZooms_ = true;

@@ -5,11 +5,25 @@
 #include <cmath>
 
 #include "flatland/features/orientation.h"
+#include "flatland/study/probe_geometry.h"
 
 namespace flatland::ui {
 
 Probe::Probe(const Document& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document_, &Document::changed, this, &Probe::follow);
+  place_ = home();
+  remember();
+}
+
+std::optional<Probe::Place> Probe::home() const {
+  constexpr double kShare = 0.69;  // of the curve
+  const auto& curves = document_.scene().curves;
+  if (curves.empty()) return std::nullopt;
+  return Place{0, kShare * pieceCount(curves[0].shape)};
+}
+
+void Probe::remember() {
+  if (place_) point_ = pointAt(document_.scene().curves[place_->curve].shape, place_->t);
 }
 
 std::optional<Probe::Place> Probe::valid(std::optional<Place> place) const {
@@ -23,6 +37,7 @@ void Probe::setPlace(std::optional<Place> place) {
   place = valid(place);
   if (place == place_) return;
   place_ = place;
+  remember();
   emit changed();
 }
 
@@ -51,9 +66,41 @@ std::optional<Probe::Reading> Probe::reading() const {
   return Reading{jet, frameOf(jet, side), side, termsAt(jet, view, side)};
 }
 
+std::optional<double> Probe::valueOf(const Reading& reading, ProfileQuantity quantity) {
+  const Terms& terms = reading.terms;
+  switch (quantity) {
+    case ProfileQuantity::Curvature:
+      return terms.k;
+    case ProfileQuantity::Lambda:
+      return lambdaAt(terms);
+    case ProfileQuantity::Feature:
+      return terms.feature;
+    case ProfileQuantity::Offset:
+      return terms.offset;
+    case ProfileQuantity::Perspective:
+      return terms.perspective;
+    case ProfileQuantity::Sum:
+      return terms.sum();
+    case ProfileQuantity::Ratio:
+      break;
+  }
+  return termRatioAt(terms);
+}
+
 void Probe::follow(const Change& change) {
-  if (!place_ || !change.touchesScene()) return;
-  place_ = change.what == Change::What::Scene ? std::nullopt : valid(place_);
+  if (!change.touchesScene()) return;
+  if (change.what == Change::What::Scene) {
+    place_ = home();
+  } else if (!place_) {
+    return;
+  } else {
+    place_ = valid(place_);
+    if (place_ && change.what == Change::What::Topology) {
+      // Parameters count anew; the shape may not have changed at all.
+      place_->t = nearestPoint(document_.scene().curves[place_->curve].shape, point_).t;
+    }
+  }
+  remember();
   emit changed();
 }
 

@@ -5,12 +5,14 @@
 #include <optional>
 
 #include "flatland/features/terms.h"
+#include "flatland/study/profile_lines.h"
 #include "ui/model/document.h"
 
 namespace flatland::ui {
 
 /// The one place on a curve that canvas, plots, lesson and numbers all look at. Follows the curve
-/// when points move; leaves when its curve does.
+/// when points move, stays in place when points are inserted or removed, leaves when its curve
+/// does, and begins at home() in another scene.
 class Probe : public QObject {
   Q_OBJECT
 
@@ -30,6 +32,9 @@ class Probe : public QObject {
     Terms terms;
   };
 
+  /// One of the quantities of the plots; nullopt where it is infinite or undefined.
+  static std::optional<double> valueOf(const Reading& reading, ProfileQuantity quantity);
+
   explicit Probe(const Document& document, QObject* parent = nullptr);
 
   const std::optional<Place>& place() const { return place_; }
@@ -41,6 +46,10 @@ class Probe : public QObject {
   /// open one. Starts in the middle of the first curve if there was no place.
   void moveBy(double share);
 
+  /// Where the probe is put in a scene just opened: on its first curve, off the marks; nullopt
+  /// without curves.
+  std::optional<Place> home() const;
+
   /// Computed anew at each call; cheap.
   std::optional<Reading> reading() const;
 
@@ -50,10 +59,12 @@ class Probe : public QObject {
 
  private:
   void follow(const Change& change);
+  void remember();
   std::optional<Place> valid(std::optional<Place> place) const;
 
   const Document& document_;
   std::optional<Place> place_;
+  Vec2 point_ = Vec2::Zero();  ///< where it is in the plane
 };
 
 }  // namespace flatland::ui
