@@ -10,8 +10,8 @@
 #include "ui/panels/points_panel.h"
 #include "ui/panels/probe_panel.h"
 #include "ui/panels/view_panel.h"
-#include "ui/plot/plots_panel.h"
 #include "ui/plot/limits_panel.h"
+#include "ui/plot/plots_panel.h"
 #include "ui/plot/study_panel.h"
 #include "ui/plot/sweep_panel.h"
 
