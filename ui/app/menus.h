@@ -48,7 +48,7 @@ void buildEditMenu(QMenu& menu, const MenuParts& parts);
 void buildCurveMenu(QMenu& menu, const MenuParts& parts);
 void buildViewMenu(QMenu& menu, const MenuParts& parts);
 void addLayoutMenus(QMenu& viewMenu, const MenuParts& parts);  ///< layout, theme, size, language
-void buildProbeMenu(QMenu& menu, const MenuParts& parts);  // within the View menu
+void buildProbeMenu(QMenu& menu, const MenuParts& parts);      // within the View menu
 void buildHelpMenu(QMenu& menu, const MenuParts& parts);
 
 /// How an action is met: by name, in the menu, by keys, in words.

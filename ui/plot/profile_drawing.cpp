@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLinePx = 1.6;
 constexpr double kProbeDotPx = 7.0;
-constexpr double kSymbolShare = 0.8;  // of their size on the canvas: plots are small
+constexpr double kSymbolShare = 0.8;   // of their size on the canvas: plots are small
 constexpr double kTickSpacing = 1.15;  // of the text height, between labels
 
 /// How a quantity's line is told from others on the same plot without its colour.
