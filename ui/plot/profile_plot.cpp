@@ -64,6 +64,7 @@ ProfilePlot::ProfilePlot(Plots& plots, PlotKind kind, QWidget* parent)
       tr("Click or drag: probe. Wheel: zoom. Middle button or Space: move. "
          "Double-click: show all. Right button: copy, export."));
   plot_->setFocusPolicy(Qt::StrongFocus);
+  plot_->setProperty("drawsFocus", true);  // by the frame in paintEvent()
   plot_->setMinimumHeight(0);
   plot_->installEventFilter(this);
   setFocusProxy(plot_);
