@@ -42,6 +42,10 @@ allowed() {
     flatland/*)
       [[ $include == '"flatland/'* || $include == '<Eigen/'* || $include =~ $std ]] ||
         { echo "flatland may use flatland, Eigen and std"; return 1; } ;;
+    core3d/io/gltf_*.cpp)
+      [[ $include == '"core3d/'* || $include == '"flatland/'* || $include == '<Eigen/'* ||
+        $include == '<nlohmann/'* || $include == '<tiny_gltf.h>' || $include =~ $std ]] ||
+        { echo "the glTF reader may use core3d, flatland, Eigen, std, nlohmann_json and TinyGLTF"; return 1; } ;;
     core3d/*)
       [[ $include == '"core3d/'* || $include == '"flatland/'* || $include == '<Eigen/'* ||
         $include =~ $std ]] ||

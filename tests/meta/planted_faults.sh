@@ -78,6 +78,7 @@ put flatland/view/other.cpp "$mit#include \"view.h\"\n" && finds layering.sh fla
 put flatland/view/other.cpp "$mit#include \"../view/view.h\"\n" && finds layering.sh flatland/view/other.cpp:2
 put core3d/mesh/mesh.h "$mit#include \"ui/app/window.h\"\n" && finds layering.sh core3d/mesh/mesh.h:2
 put core3d/mesh/mesh.h "$mit#include <QVector3D>\n" && finds layering.sh core3d/mesh/mesh.h:2
+put core3d/io/obj_reader.cpp "$mit#include <tiny_gltf.h>\n" && finds layering.sh core3d/io/obj_reader.cpp:2
 put ui/app/window.cpp "$gpl#include <qcustomplot.h>\n" && finds layering.sh ui/app/window.cpp:2
 put ui/app/window.cpp "$gpl#include \"tests/ui/help.h\"\n" && finds layering.sh ui/app/window.cpp:2
 put tests/flatland/a_test.cpp "$gpl#include <QTest>\n" && finds layering.sh tests/flatland/a_test.cpp:2

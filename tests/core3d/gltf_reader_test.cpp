@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "core3d/io/read_mesh.h"
+#include "flatland/io/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flatland::test {
+namespace {
+
+using Corners = std::vector<std::uint32_t>;
+
+void put(std::string& bytes, std::uint32_t value) {
+  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 0xff);
+}
+
+// Four points of a unit square as floats, then the indices 0 1 2 3 0 2 as 16-bit numbers.
+std::string squareBytes() {
+  std::string bytes;
+  for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f}) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  for (const int index : {0, 1, 2, 3, 0, 2}) {
+    bytes += static_cast<char>(index);
+    bytes += '\0';
+  }
+  return bytes;
+}
+
+std::string glb(const std::string& json, const std::string& binary) {
+  std::string padded = json;
+  padded.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string bytes = "glTF";
+  put(bytes, 2);
+  put(bytes, static_cast<std::uint32_t>(28 + padded.size() + binary.size()));
+  put(bytes, static_cast<std::uint32_t>(padded.size()));
+  bytes += "JSON" + padded;
+  put(bytes, static_cast<std::uint32_t>(binary.size()));
+  return bytes + std::string("BIN\0", 4) + binary;
+}
+
+const std::string kData =
+    R"("asset":{"version":"2.0"},"bufferViews":[{"buffer":0,"byteLength":48},)"
+    R"({"buffer":0,"byteOffset":48,"byteLength":12}],"accessors":[)"
+    R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},)"
+    R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},)"
+    R"({"bufferView":1,"componentType":5123,"count":4,"type":"SCALAR"}],)";
+const std::string kBuffer = R"("buffers":[{"byteLength":60}])";
+
+std::string meshWith(const std::string& primitives) {
+  return R"("meshes":[{"primitives":[)" + primitives + "]}],";
+}
+const std::string kTriangles = R"({"attributes":{"POSITION":0},"indices":1})";
+
+PolygonSoup read(const std::string& json) { return readGltf(glb(json, squareBytes()), "file", ""); }
+
+std::string messageOf(const std::string& bytes, const std::filesystem::path& folder = "") {
+  try {
+    readGltf(bytes, "file", folder);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Gltf, TrianglesStripsAndFans) {
+  EXPECT_EQ(read("{" + kData + meshWith(kTriangles) + kBuffer + "}").corners,
+            (Corners{0, 1, 2, 3, 0, 2}));
+  EXPECT_EQ(read("{" + kData + meshWith(R"({"attributes":{"POSITION":0},"indices":2,"mode":5})") +
+                 kBuffer + "}")
+                .corners,
+            (Corners{0, 1, 2, 2, 1, 3}));
+  EXPECT_EQ(
+      read("{" + kData + meshWith(R"({"attributes":{"POSITION":0},"mode":6})") + kBuffer + "}")
+          .corners,
+      (Corners{0, 1, 2, 0, 2, 3}));
+  const PolygonSoup mixed =
+      read("{" + kData + meshWith(kTriangles + R"(,{"attributes":{"POSITION":0},"mode":1})") +
+           kBuffer + "}");
+  EXPECT_EQ(mixed.corners.size(), 6u);
+  EXPECT_EQ(mixed.notes, std::vector<std::string>{"1 group of points or lines passed over"});
+}
+
+TEST(Gltf, NodesMoveTheirMeshes) {
+  // A parent moved by (10, 0, 0); a child turned by 90 degrees about z and stretched by 2; another
+  // one mirrored, whose winding is turned back.
+  const PolygonSoup soup =
+      read("{" + kData + meshWith(kTriangles) +
+           R"("nodes":[{"translation":[10,0,0],"children":[1,2]},)"
+           R"({"mesh":0,"rotation":[0,0,0.70710678118654757,0.70710678118654757],"scale":[2,2,2]},)"
+           R"({"mesh":0,"matrix":[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,5,0,1]},{"mesh":0}],)"
+           R"("scenes":[{"nodes":[0]}],"scene":0,)" +
+           kBuffer + "}");
+  ASSERT_EQ(soup.vertexCount(), 8u);
+  const std::vector<double> expected = {10, 0, 0, 10, 2, 0, 8, 2, 0, 8,  0, 0,
+                                        10, 5, 0, 9,  5, 0, 9, 6, 0, 10, 6, 0};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(soup.positions[i], expected[i], 1e-14);
+  EXPECT_EQ(soup.corners, (Corners{0, 1, 2, 3, 0, 2, 4, 6, 5, 7, 6, 4}));
+}
+
+TEST(Gltf, BuffersComeFromTheFolderAlone) {
+  const TemporaryFolder folder;
+  const auto inside = folder.path() / "a" / "b";
+  std::filesystem::create_directories(inside);
+  for (const auto& place : {folder.path() / "secret.bin", inside / "my data.bin"}) {
+    std::ofstream(place, std::ios::binary) << squareBytes();
+  }
+  std::filesystem::create_symlink(folder.path() / "secret.bin", inside / "link.bin");
+  const auto gltf = [&](const std::string& uri) {
+    return "{" + kData + meshWith(kTriangles) + R"("buffers":[{"byteLength":60,"uri":")" + uri +
+           "\"}]}";
+  };
+  const auto home = folder.path() / "a";
+  EXPECT_EQ(messageOf(gltf("b/my%20data.bin"), home), "no error");
+  EXPECT_EQ(messageOf(gltf("./b/../b/my%20data.bin"), home), "no error");
+  for (const std::string& uri : {std::string("../secret.bin"), std::string("b/link.bin"),
+                                 (folder.path() / "secret.bin").string(), std::string("b")}) {
+    EXPECT_NE(messageOf(gltf(uri), home).find("File not found"), std::string::npos) << uri;
+  }
+  EXPECT_NE(messageOf(gltf("b/my%20data.bin"), ""), "no error");
+  // Written out in the file itself.
+  EXPECT_EQ(
+      messageOf(
+          "{" + kData + meshWith(R"({"attributes":{"POSITION":0}})") +
+          R"("buffers":[{"byteLength":3,"uri":"data:application/octet-stream;base64,AAAA"}]})"),
+      "file: accessors[0]: reaches beyond its buffer");
+}
+
+TEST(Gltf, WhatIsWrongIsSaid) {
+  const auto message = [](const std::string& json) { return messageOf(glb(json, squareBytes())); };
+  const std::string asset = R"("asset":{"version":"2.0"},)";
+  const auto withAccessor = [&](const std::string& accessor) {
+    return message("{" + asset +
+                   R"("bufferViews":[{"buffer":0,"byteLength":48},)"
+                   R"({"buffer":0,"byteOffset":59,"byteLength":2},{"buffer":7,"byteLength":48}],)"
+                   R"("accessors":[)" +
+                   accessor + "]," + meshWith(R"({"attributes":{"POSITION":0}})") + kBuffer + "}");
+  };
+  const std::string beyond = "file: accessors[0]: reaches beyond its buffer";
+  EXPECT_EQ(withAccessor(R"({"bufferView":0,"componentType":5126,"count":5,"type":"VEC3"})"),
+            beyond);
+  EXPECT_EQ(withAccessor(
+                R"({"bufferView":0,"byteOffset":4,"componentType":5126,"count":4,"type":"VEC3"})"),
+            beyond);
+  EXPECT_EQ(withAccessor(R"({"bufferView":1,"componentType":5120,"count":1,"type":"VEC3"})"),
+            beyond);
+  EXPECT_EQ(
+      withAccessor(
+          R"({"bufferView":0,"componentType":5126,"count":1537228672809129302,"type":"VEC3"})"),
+      beyond);
+  EXPECT_EQ(withAccessor(R"({"bufferView":2,"componentType":5126,"count":4,"type":"VEC3"})"),
+            "file: accessors[0]: has no buffer");
+  EXPECT_EQ(withAccessor(R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})"),
+            "file: accessors[0]: has the wrong type");
+  EXPECT_EQ(message("{" + kData + meshWith(R"({"attributes":{"POSITION":9}})") + kBuffer + "}"),
+            "file: meshes[0]: accessor 9 does not exist");
+  EXPECT_EQ(
+      message("{" + kData + meshWith(kTriangles) +
+              R"("nodes":[{"mesh":0,"children":[1]},{"children":[0]}],"scenes":[{"nodes":[0]}],)" +
+              kBuffer + "}"),
+      "file: nodes[0]: has two parents");
+  EXPECT_EQ(message("{" + kData + R"("extensionsRequired":["KHR_draco_mesh_compression"],)" +
+                    meshWith(kTriangles) + kBuffer + "}"),
+            "file: needs the extension 'KHR_draco_mesh_compression', which cannot be read");
+  EXPECT_EQ(messageOf("{" + std::string(100000, '[')), "file: the JSON is nested too deeply");
+  EXPECT_EQ(messageOf("{\"asset\":"), "file: byte 10: the JSON is malformed");
+  EXPECT_EQ(messageOf("[1]"), "file: the JSON is no glTF object");
+  // A picture's faults are not the mesh's.
+  EXPECT_EQ(message("{" + kData + R"("images":[{"bufferView":99,"mimeType":"image/png"}],)" +
+                    meshWith(kTriangles) + kBuffer + "}"),
+            "no error");
+  std::string cut = glb("{" + kData + meshWith(kTriangles) + kBuffer + "}", squareBytes());
+  for (std::size_t left = 0; left < cut.size(); ++left) {
+    EXPECT_NE(messageOf(cut.substr(0, left)), "no error") << left;
+  }
+}
+
+TEST(Gltf, AMeshIsNotShownEndlesslyOften) {
+  std::string nodes, roots;
+  for (int i = 0; i < 200000; ++i) {
+    nodes += i == 0 ? R"({"mesh":0})" : R"(,{"mesh":0})";
+  }
+  // Few bytes for each node, but many for the file: this one is allowed.
+  EXPECT_EQ(read("{" + kData + meshWith(kTriangles) + "\"nodes\":[" + nodes + "]," + kBuffer + "}")
+                .polygonCount(),
+            400000u);
+}
+
+}  // namespace
+}  // namespace flatland::test
