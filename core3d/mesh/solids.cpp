@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core3d/diff/taylor.h"
+#include "core3d/diff/taylor_2d.h"
 #include "core3d/mesh/grid.h"
 
 namespace flatland {
@@ -182,17 +182,17 @@ std::vector<Solid> standardSolids() {
 SurfacePoint pointAt(const Solid& solid, const Eigen::Vector3d& place) {
   if (shapeOf(solid.kind) != Shape::Globe) {
     return surfacePointOf(
-        jetOf(coordinates<Taylor>(solid, Taylor::u(place.x()), Taylor::v(place.y()), 0.0)));
+        jetOf(coordinates<Taylor2D>(solid, Taylor2D::u(place.x()), Taylor2D::v(place.y()), 0.0)));
   }
   // Directions near the place: the unit vectors along place + u e1 + v e2.
   const Eigen::Vector3d d = place.normalized(), e1 = d.unitOrthogonal(), e2 = d.cross(e1);
-  const Taylor u = Taylor::u(0.0), v = Taylor::v(0.0);
-  const Taylor shrink = pow(Taylor(1.0) + u * u + v * v, -0.5);
-  std::array<Taylor, 3> near;
+  const Taylor2D u = Taylor2D::u(0.0), v = Taylor2D::v(0.0);
+  const Taylor2D shrink = pow(Taylor2D(1.0) + u * u + v * v, -0.5);
+  std::array<Taylor2D, 3> near;
   for (int k = 0; k < 3; ++k) {
-    near[static_cast<std::size_t>(k)] = (Taylor(d[k]) + u * e1[k] + v * e2[k]) * shrink;
+    near[static_cast<std::size_t>(k)] = (Taylor2D(d[k]) + u * e1[k] + v * e2[k]) * shrink;
   }
-  return surfacePointOf(jetOf(coordinates<Taylor>(solid, near[0], near[1], near[2])));
+  return surfacePointOf(jetOf(coordinates<Taylor2D>(solid, near[0], near[1], near[2])));
 }
 
 SolidMesh meshOf(const Solid& solid, const Meshing& meshing) {

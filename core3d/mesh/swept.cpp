@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core3d/diff/taylor.h"
+#include "core3d/diff/taylor_2d.h"
 #include "core3d/mesh/grid.h"
 
 namespace flatland {
@@ -36,10 +36,10 @@ bool leftIsOutside(const Curve& curve) {
 }
 
 // x(u) and y(u) of a curve as functions of u alone.
-std::array<Taylor, 2> taylorOf(const Jet& jet) {
-  std::array<Taylor, 2> result;
+std::array<Taylor2D, 2> taylorOf(const Jet& jet) {
+  std::array<Taylor2D, 2> result;
   for (int k = 0; k < 2; ++k) {
-    Taylor& f = result[static_cast<std::size_t>(k)];
+    Taylor2D& f = result[static_cast<std::size_t>(k)];
     f.at(0, 0) = jet.p[k];
     f.at(1, 0) = jet.d1[k];
     f.at(2, 0) = jet.d2[k] / 2.0;
@@ -49,9 +49,9 @@ std::array<Taylor, 2> taylorOf(const Jet& jet) {
 }
 
 // u runs along the curve and v along the sweep, so that u x v is on the curve's right side.
-SurfacePoint outwardPoint(const Curve& curve, std::array<Taylor, 3> r) {
+SurfacePoint outwardPoint(const Curve& curve, std::array<Taylor2D, 3> r) {
   if (leftIsOutside(curve)) {
-    for (Taylor& f : r) {
+    for (Taylor2D& f : r) {
       // The other way along the curve.
       for (const auto& [i, j] : {std::pair{1, 0}, {1, 1}, {1, 2}, {3, 0}}) f.at(i, j) = -f.at(i, j);
     }
@@ -103,12 +103,12 @@ SweptMesh revolve(const Curve& curve, double axis, const Sweeping& sweeping) {
 
 SurfacePoint extrudedPoint(const Curve& curve, double t, double z) {
   const auto [x, y] = taylorOf(jetAt(curve, t));
-  return outwardPoint(curve, {x, y, Taylor::v(z)});
+  return outwardPoint(curve, {x, y, Taylor2D::v(z)});
 }
 
 SurfacePoint revolvedPoint(const Curve& curve, double axis, double t, double angleRad) {
   const auto [x, y] = taylorOf(jetAt(curve, t));
-  const Taylor radius = x - axis, angle = Taylor::v(angleRad);
+  const Taylor2D radius = x - axis, angle = Taylor2D::v(angleRad);
   return outwardPoint(curve, {axis + radius * cos(angle), y, radius * sin(angle)});
 }
 

@@ -11,12 +11,12 @@ namespace flatland {
 
 /// A function of two variables near a point, as its Taylor polynomial of degree 3: arithmetic on
 /// these differentiates formulas exactly (up to rounding).
-class Taylor {
+class Taylor2D {
  public:
-  Taylor(double constant = 0.0) { at(0, 0) = constant; }  // NOLINT: numbers are constants
+  Taylor2D(double constant = 0.0) { at(0, 0) = constant; }  // NOLINT: numbers are constants
 
-  static Taylor u(double value) { return variable(value, 1, 0); }
-  static Taylor v(double value) { return variable(value, 0, 1); }
+  static Taylor2D u(double value) { return variable(value, 1, 0); }
+  static Taylor2D v(double value) { return variable(value, 0, 1); }
 
   /// d^(i+j) / du^i dv^j at the point; i + j <= 3.
   double derivative(int i, int j) const {
@@ -29,16 +29,16 @@ class Taylor {
   double& at(int i, int j) { return coefficients_[index(i, j)]; }
   double at(int i, int j) const { return coefficients_[index(i, j)]; }
 
-  friend Taylor operator+(Taylor a, const Taylor& b) {
+  friend Taylor2D operator+(Taylor2D a, const Taylor2D& b) {
     for (std::size_t i = 0; i < kSize; ++i) a.coefficients_[i] += b.coefficients_[i];
     return a;
   }
-  friend Taylor operator-(Taylor a, const Taylor& b) {
+  friend Taylor2D operator-(Taylor2D a, const Taylor2D& b) {
     for (std::size_t i = 0; i < kSize; ++i) a.coefficients_[i] -= b.coefficients_[i];
     return a;
   }
-  friend Taylor operator*(const Taylor& a, const Taylor& b) {
-    Taylor product;
+  friend Taylor2D operator*(const Taylor2D& a, const Taylor2D& b) {
+    Taylor2D product;
     for (int i = 0; i <= 3; ++i) {
       for (int j = 0; i + j <= 3; ++j) {
         for (int k = 0; i + j + k <= 3; ++k) {
@@ -51,25 +51,26 @@ class Taylor {
   }
 
   /// f(a), from f and its first three derivatives at a.value().
-  friend Taylor composed(const Taylor& a, double f, double f1, double f2, double f3) {
-    Taylor step = a;
+  friend Taylor2D composed(const Taylor2D& a, double f, double f1, double f2, double f3) {
+    Taylor2D step = a;
     step.at(0, 0) = 0.0;
-    return Taylor(f) + step * (Taylor(f1) + step * (Taylor(f2 / 2.0) + step * Taylor(f3 / 6.0)));
+    return Taylor2D(f) +
+           step * (Taylor2D(f1) + step * (Taylor2D(f2 / 2.0) + step * Taylor2D(f3 / 6.0)));
   }
-  friend Taylor sin(const Taylor& a) {
+  friend Taylor2D sin(const Taylor2D& a) {
     const double s = std::sin(a.value()), c = std::cos(a.value());
     return composed(a, s, c, -s, -c);
   }
-  friend Taylor cos(const Taylor& a) {
+  friend Taylor2D cos(const Taylor2D& a) {
     const double s = std::sin(a.value()), c = std::cos(a.value());
     return composed(a, c, -s, -c, s);
   }
-  friend Taylor exp(const Taylor& a) {
+  friend Taylor2D exp(const Taylor2D& a) {
     const double e = std::exp(a.value());
     return composed(a, e, e, e, e);
   }
   /// Precondition: a.value() > 0.
-  friend Taylor pow(const Taylor& a, double p) {
+  friend Taylor2D pow(const Taylor2D& a, double p) {
     const double x = a.value(), f = std::pow(x, p);
     return composed(a, f, p * f / x, p * (p - 1.0) * f / (x * x),
                     p * (p - 1.0) * (p - 2.0) * f / (x * x * x));
@@ -81,8 +82,8 @@ class Taylor {
     const int degree = i + j;
     return static_cast<std::size_t>(degree * (degree + 1) / 2 + j);
   }
-  static Taylor variable(double value, int i, int j) {
-    Taylor result(value);
+  static Taylor2D variable(double value, int i, int j) {
+    Taylor2D result(value);
     result.at(i, j) = 1.0;
     return result;
   }
@@ -91,7 +92,7 @@ class Taylor {
 };
 
 /// The jet of the surface with these coordinates.
-inline SurfaceJet jetOf(const std::array<Taylor, 3>& r) {
+inline SurfaceJet jetOf(const std::array<Taylor2D, 3>& r) {
   const auto derivative = [&r](int i, int j) {
     return Eigen::Vector3d(r[0].derivative(i, j), r[1].derivative(i, j), r[2].derivative(i, j));
   };
