@@ -16,13 +16,13 @@ inline constexpr double kLargestLength =
     1e50;  ///< of coordinates and the distance: powers up to the sixth stay finite
 inline constexpr std::size_t kLargestSceneBytes = 64U * 1024U * 1024U;
 
-/// Reads the scene format of docs/user/scene-format.md, version 1. `source` names the text in
-/// errors. Throws InputError; nothing is guessed or dropped: an unknown key is an error too.
+/// Reads the scene format of docs/user/scene-format.md, versions 1 and 2. `source` names the text
+/// in errors. Throws InputError; nothing is guessed or dropped: an unknown key is an error too.
 Scene sceneFromJson(const std::string& text, const std::string& source);
 
-/// The scene as JSON; numbers are written so that they read back to the same double. Throws
-/// InputError for a scene the format cannot hold: a number that is not finite, a length above
-/// kLargestLength, a degree above kHighestDegree.
+/// The scene as JSON, of version 1 if it needs nothing newer; numbers are written so that they read
+/// back to the same double. Throws InputError for a scene the format cannot hold: a number that is
+/// not finite, a length above kLargestLength, a degree above kHighestDegree.
 std::string sceneToJson(const Scene& scene);
 
 /// Reads a file. Throws InputError, also when the file cannot be read.

@@ -213,11 +213,11 @@ INSTANTIATE_TEST_SUITE_P(
         // Not a scene.
         BadScene{"list", "[]", "top level", "expected an object, found a list"},
         BadScene{"noVersion", R"({"curves": []})", "top level", "missing \"flatland\": 1"},
-        BadScene{"newer", R"({"flatland": 2, "curves": []})", "flatland",
-                 "version 2 was made by a newer Flatland; this one reads version 1"},
+        BadScene{"newer", R"({"flatland": 3, "curves": []})", "flatland",
+                 "version 3 was made by a newer Flatland; this one reads up to version 2"},
         BadScene{"newerWithNewKeys", R"({"flatland": 3, "shapes": []})", "flatland", "newer"},
         BadScene{"zeroVersion", R"({"flatland": 0, "curves": []})", "flatland",
-                 "expected version 1, found 0"},
+                 "expected version 1 or 2, found 0"},
         BadScene{"halfVersion", R"({"flatland": 1.5, "curves": []})", "flatland",
                  "expected a whole number, found 1.5"},
         BadScene{"wordVersion", R"({"flatland": "1", "curves": []})", "flatland",
@@ -365,6 +365,92 @@ TEST(SceneFile, ErrorsNameTheFile) {
     EXPECT_EQ(std::string(error.what()),
               folder.path().string() + ": cannot be read: Is a directory");
   }
+}
+
+/// A scene of version 2 with one curve.
+std::string newer(const std::string& curve) {
+  return R"({"flatland": 2, "curves": [)" + curve + "]}";
+}
+
+constexpr const char* kEveryNewKind[] = {
+    R"j({"bspline": {"degree": 3, "closed": false, "points": [[0,0],[1,0],[1,1],[0,1],[2,2]],
+         "knots": [0, 0, 0.5, 1, 2, 2.5, 3, 3, 4]}, "flipNormal": true})j",
+    R"j({"bspline": {"degree": 2, "closed": true, "points": [[0,0],[1,0],[1,1],[0,1]]}})j",
+    R"j({"rational": {"points": [[1,0],[1,1],[0,1]], "weights": [1, 0.7071067811865476, 1]}})j",
+    R"j({"rational": {"degree": 2, "closed": true, "points": [[1,0],[1,1],[0,1],[-1,-1]],
+         "weights": [1, 2, 3, 4]}})j",
+    R"j({"family": {"name": "ellipse", "parameters": {"a": 1, "b": 1.4}}})j",
+    R"j({"family": {"name": "cycloid", "parameters": {"r": 1, "d": 0, "n": 2}, "at": [0.1, -2]}})j",
+    R"j({"formula": {"x": "cos(t)", "y": "a*sin(2*t)", "from": 0, "to": "2*pi",
+         "constants": {"a": 0.1}}})j",
+    R"j({"formula": {"x": "t", "y": "1e3", "from": -1.5, "to": 1e-7, "at": [1, 2]}})j",
+};
+
+TEST(SceneJson, EveryNewKindSurvives) {
+  for (const char* curve : kEveryNewKind) {
+    const Scene scene = read(newer(curve));
+    const std::string text = sceneToJson(scene);
+    EXPECT_EQ(read(text), scene) << text;
+    EXPECT_EQ(sceneToJson(read(text)), text);
+    EXPECT_NE(text.find("\"flatland\": 2"), std::string::npos);
+  }
+  const Scene spline = read(newer(kEveryNewKind[0]));
+  EXPECT_TRUE(spline.curves[0].flipNormal);
+  EXPECT_EQ(std::get<BSpline>(spline.curves[0].shape).knots()[2], 0.5);
+  const Scene ellipse = read(newer(kEveryNewKind[4]));
+  EXPECT_EQ(std::get<FormulaCurve>(ellipse.curves[0].shape).family()->parameters,
+            (std::vector<double>{1.0, 1.4}));
+}
+
+TEST(SceneJson, IsOfVersion1UnlessItNeedsMore) {
+  EXPECT_EQ(sceneToJson(read(newer(R"({"bezier": [[0, 1], [2.5, -3]]})"))),
+            sceneToJson(read(kSmall)));
+}
+
+TEST(SceneJson, SaysWhatIsWrongWithANewKind) {
+  const auto expectError = [](const std::string& text, const std::string& place,
+                              const std::string& reason) {
+    try {
+      read(text);
+      ADD_FAILURE() << "read " << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.place(), place) << text;
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  };
+  expectError(R"({"flatland": 1, "curves": [{"family": {}}]})", "curves[0]",
+              "came with version 2; write \"flatland\": 2");
+  expectError(newer("{}"), "curves[0]", "missing \"bezier\"");
+  expectError(newer(R"({"bspline": {"points": []}})"), "curves[0].bspline", "missing \"degree\"");
+  expectError(newer(R"({"bspline": {"degree": 17, "points": []}})"), "curves[0].bspline.degree",
+              "above 16");
+  expectError(newer(R"({"bspline": {"degree": 2, "points": [[0,0],[1,1]]}})"), "curves[0].bspline",
+              "at least 3 points, found 2");
+  expectError(newer(R"({"bspline": {"degree": 1, "points": [[0,0],[1,1]], "knots": [0,0,1]}})"),
+              "curves[0].bspline", "expected 4 knots");
+  expectError(newer(R"({"rational": {"points": [[0,0],[1,1]], "weights": [1, 0]}})"),
+              "curves[0].rational", "weight 1 is not above 0");
+  expectError(newer(R"({"rational": {"points": [[0,0],[1,1]], "weights": [1]}})"),
+              "curves[0].rational", "expected 2 weights");
+  expectError(newer(R"({"rational": {"closed": true, "points": [], "weights": []}})"),
+              "curves[0].rational", "missing \"degree\"");
+  expectError(newer(R"({"family": {"name": "oval", "parameters": {}}})"), "curves[0].family.name",
+              "known: circle, ellipse");
+  expectError(newer(R"({"family": {"name": "circle", "parameters": {}}})"),
+              "curves[0].family.parameters", "missing \"r\"");
+  expectError(newer(R"({"family": {"name": "circle", "parameters": {"r": 1, "b": 1}}})"),
+              "curves[0].family.parameters", "known here: r");
+  expectError(newer(R"({"family": {"name": "circle", "parameters": {"r": 0}}})"),
+              "curves[0].family.parameters", "r must be from");
+  expectError(newer(R"({"formula": {"x": "t", "y": "2 t", "from": 0, "to": 1}})"),
+              "curves[0].formula.y", "column 3: ");
+  expectError(newer(R"({"formula": {"x": "1/t", "y": "t", "from": 0, "to": 1}})"),
+              "curves[0].formula.x", "at t = 0");
+  expectError(newer(R"({"formula": {"x": "t", "y": "t", "from": 0, "to": true}})"),
+              "curves[0].formula.to", "expected a number or a string");
+  expectError(
+      newer(R"({"formula": {"x": "t", "y": "t", "from": 0, "to": 1, "constants": {"t": 1}}})"),
+      "curves[0].formula.constants", "taken");
 }
 
 TEST(SceneFile, ABadSceneLeavesTheOldFile) {

@@ -3,6 +3,8 @@
 
 #include "ui/commands/curve_commands.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/model/core_words.h"
+#include "ui/model/new_curves.h"
 
 namespace flatland::ui {
 
@@ -17,20 +19,26 @@ void EditController::removePoints() {
   }
   PointRemoval removal = withoutPoints(models_.document.scene(), points);
   if (!removal.possible()) {
-    emit refused(QString::fromStdString(removal.reason));
+    emit refused(coreWords(removal.reason));
     return;
   }
   models_.document.push(std::make_unique<RemovePoints>(models_.document, std::move(removal)));
   models_.selection.clear();
 }
 
-void EditController::addCurve() {
-  const SceneCurve curve = models_.stage.newCurve(models_.viewport.centre());
+void EditController::addCurve() { add(models_.stage.newCurve(models_.viewport.centre())); }
+
+void EditController::addCurve(const QString& kind) {
+  add({.shape = newCurve(kind, models_.viewport.centre(), models_.stage.radius())});
+}
+
+void EditController::add(const SceneCurve& curve) {
   models_.document.push(std::make_unique<AddCurve>(models_.document, curve));
   const std::size_t index = models_.document.scene().curves.size() - 1;
   std::set<PointRef> points;
   for (std::size_t i = 0; i < controlPoints(curve.shape).size(); ++i) points.insert({index, i});
   models_.selection.setPoints(std::move(points));
+  models_.selection.setCurrentCurve(index);
 }
 
 void EditController::removeCurve() {
@@ -45,7 +53,7 @@ void EditController::raiseDegree() {
   if (!curve) return;
   const Curve& shape = models_.document.scene().curves[*curve].shape;
   if (const EditResult raised = withRaisedDegree(shape); !raised.curve) {
-    emit refused(QString::fromStdString(raised.reason));
+    emit refused(coreWords(raised.reason));
     return;
   }
   if (degreeOf(shape) >= kMaxDegree) {

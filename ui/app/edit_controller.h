@@ -15,9 +15,10 @@ class EditController : public QObject {
  public:
   EditController(const CanvasModels& models, QObject* parent);
 
-  void removePoints();  ///< the selected ones
-  void addCurve();      ///< in the middle of the canvas, selected
-  void removeCurve();   ///< the current one
+  void removePoints();                 ///< the selected ones
+  void addCurve();                     ///< in the middle of the canvas, selected
+  void addCurve(const QString& kind);  ///< likewise, one of newCurves()
+  void removeCurve();                  ///< the current one
   void raiseDegree();
   void flipNormal();
   void reset();  ///< back to the preset or to the file as opened, as one step
@@ -30,6 +31,8 @@ class EditController : public QObject {
   void refused(const QString& reason);
 
  private:
+  void add(const SceneCurve& curve);
+
   CanvasModels models_;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QMenu>
 #include <QUndoStack>
 
 #include "ui/app/menus.h"
+#include "ui/model/new_curves.h"
 
 namespace flatland::ui {
 
@@ -58,6 +60,22 @@ void buildCurveMenu(QMenu& menu, const MenuParts& parts) {
              EditMenusWords::tr("Add a curve in the middle of the picture"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)}},
             [&edits] { edits.addCurve(); });
+  QMenu& kinds = addSubmenu(menu, "curve.new", EditMenusWords::tr("&New"));
+  for (const NewCurve& kind : newCurves()) {
+    const QByteArray id = "curve.new." + kind.id.toLatin1();
+    addAction(kinds,
+              {id.constData(), kind.title,
+               EditMenusWords::tr("Add such a curve in the middle of the picture; the panel Curve "
+                                  "has its numbers")},
+              [&edits, id = kind.id, docks = parts.docks] {
+                edits.addCurve(id);
+                for (QDockWidget* dock : docks) {
+                  if (dock->objectName() != QLatin1String("curve")) continue;
+                  dock->show();
+                  dock->raise();
+                }
+              });
+  }
   QAction* remove = addAction(menu,
                               {"curve.remove", EditMenusWords::tr("&Remove Curve"),
                                EditMenusWords::tr("Remove the curve picked last")},

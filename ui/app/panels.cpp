@@ -5,6 +5,7 @@
 
 #include "ui/app/message_bar.h"
 #include "ui/app/status_line.h"
+#include "ui/panels/curve_panel.h"
 #include "ui/panels/legend_panel.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/panels/points_panel.h"
@@ -37,6 +38,9 @@ void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts
   auto* points = new PointsPanel(models.document, models.selection);
   QObject::connect(points, &PointsPanel::refused, &status, &StatusLine::say);
   docks.add("points", PanelsWords::tr("Points"), points, Group::Side);
+  auto* curve = new CurvePanel(models);
+  QObject::connect(curve, &CurvePanel::said, &status, &StatusLine::say);
+  docks.add("curve", PanelsWords::tr("Curve"), curve, Group::Side);
   auto* plots = new PlotsPanel(parts.plots, models.display, parts.settings);
   QObject::connect(plots, &PlotsPanel::said, &status, &StatusLine::say);
   QObject::connect(plots, &PlotsPanel::failed, &parts.messages, &MessageBar::showError);

@@ -11,6 +11,7 @@
 #include "ui/commands/curve_commands.h"
 #include "ui/flat/canvas_painter.h"
 #include "ui/flat/scene_summary.h"
+#include "ui/model/core_words.h"
 
 namespace flatland::ui {
 
@@ -190,7 +191,7 @@ void FlatCanvas::insertPointAt(std::size_t curve, double t) {
   const Curve before = models_.document.scene().curves[curve].shape;
   const EditResult edited = withPointAt(before, t);
   if (!edited.curve) {
-    emit hint(QString::fromStdString(edited.reason));
+    emit hint(coreWords(edited.reason));
     return;
   }
   if (*edited.curve == before) return;  // there is a point already

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "ui/model/document.h"
+
+class QLabel;
+class QLineEdit;
+
+namespace flatland::ui {
+
+/// x(t) and y(t) as typed, the domain and named constants. The curve follows while the text makes
+/// sense; what does not is said below its field, from where the mistake is, and the curve stays.
+class FormulaEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Precondition: the curve is a typed one, and stays so while the editor lives.
+  FormulaEditor(Document& document, std::size_t curve, QWidget* parent = nullptr);
+
+  /// Shows what the document holds, unless it is what was typed here.
+  void refresh();
+
+ private:
+  struct Field {
+    QLineEdit* edit;
+    QLabel* error;
+  };
+  const FormulaCurve& shape() const;
+  Field addField(const QString& id, const QString& label, const QString& tip);
+  void typed();
+  void showError(const FormulaError& error);
+
+  Document& document_;
+  std::size_t curve_;
+  std::array<Field, 5> fields_;  ///< in the order of FormulaError::Field
+  TypedFormula shown_;
+  int gesture_ = 0;
+};
+
+/// "a = 0.3, b = 2" as constants; nullopt if the text is not of this form.
+std::optional<Expression::Constants> constantsFrom(const QString& text);
+QString constantsText(const Expression::Constants& constants);
+
+}  // namespace flatland::ui
