@@ -10,7 +10,7 @@ namespace flatland {
 /// A truncated Taylor series: the value of a function of one parameter with its derivatives up to
 /// order N, all exact but for rounding (no difference quotients). Coefficient k is the k-th
 /// derivative divided by k!. A plain value; the operations below are the usual recurrences of
-/// automatic differentiation (bibliography: [griewank2008], chapter 13).
+/// automatic differentiation (bibliography: griewank2008, chapter 13).
 ///
 /// Where a function has no derivative (sqrt at 0) the coefficients are not finite; nothing throws.
 template <int N>
