@@ -326,4 +326,20 @@ Bernstein foldPolynomial(const RegularArc& arc) {
   return l * l * gammaSq * gammaSq + Bounded(m * m) * (k.gamma * second - prime * prime);
 }
 
+Bernstein printedPolynomial(const RegularArc& arc, const ViewFrame& frame, double scale) {
+  const Curvature k = curvatureOf(arc);
+  const Bernstein xi = along(frame.axis, arc.dx, arc.dy);
+  const Bernstein eta = along(frame.towards, arc.dx, arc.dy);
+  Bernstein nw = xi, tw = eta;  // up to one positive factor
+  if (frame.distance) {
+    const Bernstein across = along(frame.axis, arc.x, arc.y);
+    const Bernstein depth = constant(scale * *frame.distance) - along(frame.towards, arc.x, arc.y);
+    nw = xi * depth + across * eta;
+    tw = eta * depth - across * xi;
+  }
+  // k' = -prime / (m l g^2 sigma^3), k^2 = gamma^2 / (m^2 g^2 sigma^3).
+  const double m = arc.dx.degree();
+  return Bounded(m) * (nw * k.prime()) - k.ends.l * k.gamma * k.gamma * tw;
+}
+
 }  // namespace flatland

@@ -56,6 +56,11 @@ ArcPolynomials polynomialsOf(const RegularArc& arc, const ViewFrame& frame, doub
 /// Precondition: the arc is not straight.
 Bernstein foldPolynomial(const RegularArc& arc);
 
+/// Vanishes where (3.13) does as the thesis prints it, but for its factor k: sign of
+/// -((n.w) k' + k^2 (t.w)) for the left normal, w from the point to the viewer. Precondition: the
+/// arc is not straight.
+Bernstein printedPolynomial(const RegularArc& arc, const ViewFrame& frame, double scale);
+
 /// Screen slope polynomial only: what visibility needs.
 Bernstein silhouettePolynomial(const Bezier& piece, const ViewFrame& frame, double scale);
 

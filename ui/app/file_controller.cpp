@@ -68,10 +68,12 @@ void FileController::openFile(const QString& name) {
 }
 
 bool FileController::save() {
+  emit aboutToUseFile();
   return document_.file().empty() ? saveAs() : saveTo(toQString(document_.file()));
 }
 
 bool FileController::saveAs() {
+  emit aboutToUseFile();
   QString name =
       QFileDialog::getSaveFileName(&window_, tr("Save scene as"), suggestedName(), filter());
   if (name.isEmpty()) return false;
@@ -90,6 +92,7 @@ bool FileController::mayReplace(const QString& name) {
 }
 
 bool FileController::saveTo(const QString& name) {
+  emit aboutToUseFile();
   try {
     document_.save(toPath(name));
   } catch (const InputError& error) {
@@ -102,6 +105,7 @@ bool FileController::saveTo(const QString& name) {
 }
 
 bool FileController::mayDiscard() {
+  emit aboutToUseFile();
   if (!document_.isModified()) return true;
   QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
                   tr("Save the changes to %1?").arg(shownName(document_)),

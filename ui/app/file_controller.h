@@ -43,6 +43,8 @@ class FileController : public QObject {
   static constexpr int kRecentFiles = 8;
 
  signals:
+  /// Before the scene is saved, or asked about and given up.
+  void aboutToUseFile();
   void recentFilesChanged();
 
  private:

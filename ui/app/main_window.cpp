@@ -45,6 +45,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
       stage_(document_),
       probe_(document_),
       plots_(document_, selection_, display_, probe_),
+      lesson_(document_, probe_, display_),
       docks_(std::make_unique<Docks>(*this)) {
   setObjectName("window");
   setAcceptDrops(true);
@@ -54,8 +55,13 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
   buildCentre();
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   addPanels(*docks_, models(),
-            {.status = *status_, .messages = *messages_, .plots = plots_, .settings = settings_});
+            {.status = *status_,
+             .messages = *messages_,
+             .plots = plots_,
+             .lesson = lesson_,
+             .settings = settings_});
   files_ = new FileController(*this, document_, *messages_, settings_);
+  lessons_ = new LessonFiles(*this, lesson_, settings_);
   edits_ = new EditController(models(), this);
   resize(kDefaultSize);
   pictureBar_ = addToolBar(tr("Picture"));
@@ -98,6 +104,8 @@ void MainWindow::buildMenuBar() {
               .files = *files_,
               .edits = *edits_,
               .plots = plots_,
+              .lesson = lesson_,
+              .lessons = *lessons_,
               .docks = docks_->all(),
               .exportFigure = [this] { exportFigure(); },
               .showKeys = [this] { showKeys(); },
@@ -116,6 +124,15 @@ void MainWindow::connectParts() {
   connect(status_, &StatusLine::placePicked, &viewport_, &Viewport::centreOn);
   connect(&display_, &Display::changed, status_,
           [this] { status_->setFewFields(display_.isProjector()); });
+  connect(lessons_, &LessonFiles::failed, messages_, &MessageBar::showError);
+  connect(lessons_, &LessonFiles::opened, this, [this] {
+    messages_->hide();
+    docks_->show("lesson");
+  });
+  connect(&lesson_, &LessonModel::panelWanted, this,
+          [this](const QString& id) { docks_->show(id.toLatin1().constData()); });
+  // A file is about the person's own scene, never about a step's.
+  connect(files_, &FileController::aboutToUseFile, &lesson_, &LessonModel::leave);
   connect(edits_, &EditController::refused, status_, &StatusLine::say);
   connect(&document_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
   connect(&document_, &Document::changed, this, [this](const Change& change) {

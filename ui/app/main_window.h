@@ -8,6 +8,7 @@
 #include "ui/app/edit_controller.h"
 #include "ui/app/file_controller.h"
 #include "ui/flat/canvas.h"
+#include "ui/lesson/lesson_files.h"
 #include "ui/model/plots.h"
 
 class QSettings;
@@ -41,6 +42,8 @@ class MainWindow : public QMainWindow {
   Plots& plots() { return plots_; }
   FlatCanvas& canvas() { return *canvas_; }
   FileController& files() { return *files_; }
+  LessonModel& lesson() { return lesson_; }
+  LessonFiles& lessons() { return *lessons_; }
 
   void showKeys();
   void exportFigure();
@@ -70,6 +73,7 @@ class MainWindow : public QMainWindow {
   Stage stage_;
   Probe probe_;
   Plots plots_;
+  LessonModel lesson_;
   std::unique_ptr<Docks> docks_;
   Look* look_ = nullptr;
   Layouts* layouts_ = nullptr;
@@ -78,6 +82,7 @@ class MainWindow : public QMainWindow {
   FlatCanvas* canvas_ = nullptr;
   StatusLine* status_ = nullptr;
   FileController* files_ = nullptr;
+  LessonFiles* lessons_ = nullptr;
   EditController* edits_ = nullptr;
   KeySheet* keys_ = nullptr;
 };

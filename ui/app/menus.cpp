@@ -59,6 +59,7 @@ void buildMenus(const MenuParts& parts) {
   buildEditMenu(addMenu(parts.window, "menu.edit", MenusWords::tr("&Edit")), parts);
   buildCurveMenu(addMenu(parts.window, "menu.curve", MenusWords::tr("&Curve")), parts);
   buildViewMenu(addMenu(parts.window, "menu.view", MenusWords::tr("&View")), parts);
+  buildLessonMenu(addMenu(parts.window, "menu.lesson", MenusWords::tr("&Lesson")), parts);
   buildHelpMenu(addMenu(parts.window, "menu.help", MenusWords::tr("&Help")), parts);
   for (const char* id : {"file.export", "view.fit", "view.control-polygon", "view.hidden"}) {
     parts.pictureBar.addAction(parts.window.findChild<QAction*>(id));

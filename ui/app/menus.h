@@ -8,6 +8,7 @@
 #include "ui/app/edit_controller.h"
 #include "ui/app/file_controller.h"
 #include "ui/flat/canvas.h"
+#include "ui/lesson/lesson_files.h"
 
 class QAction;
 class QDockWidget;
@@ -28,6 +29,8 @@ struct MenuParts {
   FileController& files;
   EditController& edits;
   Plots& plots;
+  LessonModel& lesson;
+  LessonFiles& lessons;
   QList<QDockWidget*> docks;
   std::function<void()> exportFigure;
   std::function<void()> showKeys;
@@ -49,6 +52,7 @@ void buildCurveMenu(QMenu& menu, const MenuParts& parts);
 void buildViewMenu(QMenu& menu, const MenuParts& parts);
 void addLayoutMenus(QMenu& viewMenu, const MenuParts& parts);  ///< layout, theme, size, language
 void buildProbeMenu(QMenu& menu, const MenuParts& parts);      // within the View menu
+void buildLessonMenu(QMenu& menu, const MenuParts& parts);
 void buildHelpMenu(QMenu& menu, const MenuParts& parts);
 
 /// How an action is met: by name, in the menu, by keys, in words.

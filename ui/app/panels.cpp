@@ -5,6 +5,7 @@
 
 #include "ui/app/message_bar.h"
 #include "ui/app/status_line.h"
+#include "ui/lesson/lesson_panel.h"
 #include "ui/panels/curve_panel.h"
 #include "ui/panels/legend_panel.h"
 #include "ui/panels/marks_panel.h"
@@ -55,6 +56,8 @@ void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts
   QObject::connect(limits, &LimitsPanel::said, &status, &StatusLine::say);
   docks.add("limits", PanelsWords::tr("Limits"), limits, Group::Plots);
   docks.add("marks", PanelsWords::tr("Marks"), new MarksPanel(models), Group::Bottom);
+  docks.add("lesson", PanelsWords::tr("Lesson"),
+            new LessonPanel(parts.lesson, models.probe, models.display), Group::Bottom);
 }
 
 }  // namespace flatland::ui

@@ -8,6 +8,7 @@ class QSettings;
 
 namespace flatland::ui {
 
+class LessonModel;
 class MessageBar;
 class Plots;
 class StatusLine;
@@ -17,6 +18,7 @@ struct PanelParts {
   StatusLine& status;    ///< says what a panel refuses or has done
   MessageBar& messages;  ///< for files that cannot be written
   Plots& plots;
+  LessonModel& lesson;
   QSettings* settings;  ///< null: nothing is remembered
 };
 

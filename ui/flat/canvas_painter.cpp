@@ -6,8 +6,11 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <cmath>
+#include <numbers>
 
 #include "flatland/curve/curve_editing.h"
+#include "flatland/features/printed_roots.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/flat_figure.h"
 #include "ui/flat/probe_overlay.h"
@@ -46,6 +49,7 @@ class CanvasPainter {
     paintBelowProbe(painter_, models_, scale_, size_);
     paintPoints(false);
     paintFigure();
+    if (models_.display.showsPrintedRoots()) paintPrintedRoots();
     paintSelectedMark();
     paintHoveredMark();
     paintProbe(painter_, models_, scale_, state_.hovered.what == Target::What::Probe);
@@ -118,6 +122,36 @@ class CanvasPainter {
                                models_.document.visibility(), options);
     std::erase_if(figure.groups, [](const FigureGroup& group) { return group.id == "viewer"; });
     flatland::ui::paintFigure(painter_, figure);
+  }
+
+  /// Where (3.13) as printed would put apparent ridges: hollow, dashed, never like a real mark.
+  void paintPrintedRoots() {
+    const Scene& scene = models_.document.scene();
+    const MarkStyle& style = styleOf(MarkKind::ApparentRidge, palette_);
+    constexpr double kBarWidthPx = 6.0, kBarLengthPx = 22.0;
+    for (const PrintedRoot& root : findPrintedRoots(scene, models_.document.features()).roots) {
+      const QPointF centre = at(root.point);
+      painter_.setBrush(Qt::NoBrush);
+      if (root.screen) {
+        Mark mark{};
+        mark.point = root.point;
+        mark.screen = root.screen;
+        if (const auto seen = markOnScreen(models_, mark)) {
+          painter_.setPen(QPen(toQColor(style.colour), 1.2, Qt::DashLine));
+          painter_.drawLine(centre, *seen / scale_);
+        }
+      }
+      const Curve& curve = scene.curves[static_cast<std::size_t>(root.curve)].shape;
+      const Vec2 along = jetAt(curve, root.t).d1;
+      painter_.save();
+      painter_.translate(centre);
+      painter_.rotate(-std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi);
+      const QRectF bar(-kBarWidthPx / 2.0, -kBarLengthPx / 2.0, kBarWidthPx, kBarLengthPx);
+      painter_.fillRect(bar, toQColor(colours_.background));
+      painter_.setPen(QPen(toQColor(style.letterColour), 1.6, Qt::DashLine));
+      painter_.drawRect(bar);
+      painter_.restore();
+    }
   }
 
   /// Points lie below the marks, which often coincide with them; those that are `picked`, selected

@@ -60,6 +60,10 @@ class Display : public QObject {
   Abscissa plotAbscissa() const { return abscissa_; }
   void setPlotAbscissa(Abscissa abscissa);
 
+  /// The roots of (3.13) as the thesis misprints it; a matter of the lesson, not remembered.
+  bool showsPrintedRoots() const { return printedRoots_; }
+  void setShowsPrintedRoots(bool shown) { set(printedRoots_, shown); }
+
   /// How much larger than usual everything is drawn, text, marks and lines alike, on canvas,
   /// plots and lesson: between 1 and kLargestScale. Projector mode has a scale of its own.
   double uiScale() const { return projector_ ? projectorScale_ : workScale_; }
@@ -101,6 +105,7 @@ class Display : public QObject {
   double combScale_ = 1.0;
   std::bitset<kPlotKindCount> plots_{0b1111};
   Abscissa abscissa_ = Abscissa::ArcLength;
+  bool printedRoots_ = false;
   bool projector_ = false;
   Theme theme_ = Theme::System;
   bool wheelZooms_ = true;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flatland/io/input_error.h"
+#include "flatland/scene/scene.h"
+#include "flatland/study/derivation.h"
+
+namespace flatland {
+
+/// What a step of a lesson puts before the class. What a step does not name stays as in the step
+/// before; a step holds it all, so it can be gone to directly.
+struct LessonState {
+  std::optional<Scene> scene;          ///< empty: the person's own
+  std::optional<double> viewAngleDeg;  ///< over the scene's own view
+  std::size_t probeCurve = 0;
+  std::optional<double> probeT;       ///< empty: the probe stays where it is
+  std::vector<std::string> families;  ///< names of nameOf(MarkKind); empty: as the person has them
+  std::optional<DerivationStep> equation;
+  bool printed = false;       ///< the equation as the thesis prints it
+  bool printedRoots = false;  ///< the roots of (3.13) as printed, on the curve
+  std::string panel;          ///< dock to bring to the front; empty: none
+};
+
+struct LessonStep {
+  std::string title;
+  std::string text;   ///< Markdown
+  bool stop = false;  ///< a place to talk at: "next stop" goes here
+  LessonState state;
+};
+
+/// A lesson: steps to go through, in a file a teacher writes by hand (docs/user/lesson-format.md).
+struct Lesson {
+  std::string title;
+  std::vector<LessonStep> steps;  ///< at least one
+};
+
+inline constexpr std::size_t kLargestLessonBytes = 1024U * 1024U;
+inline constexpr std::size_t kMostLessonSteps = 500;
+
+/// Reads a lesson. `source` names the text in errors. Throws InputError with the line and the
+/// reason: nothing is guessed or dropped, an unknown key is an error.
+Lesson lessonFromText(const std::string& text, const std::string& source);
+
+/// Reads a file. Throws InputError, also when the file cannot be read.
+Lesson loadLesson(const std::filesystem::path& file);
+
+}  // namespace flatland

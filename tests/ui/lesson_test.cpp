@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lesson is given by mouse and keys, and the person's own work comes back whole.
+#include <QDockWidget>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QPainter>
+#include <QSvgRenderer>
+#include <QToolButton>
+
+#include "tests/ui/support_window.h"
+#include "ui/lesson/formula_view.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/plot/step_size_plot.h"
+
+using namespace flatland;
+using namespace flatland::ui;
+
+class LessonTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    driver_ = std::make_unique<WindowDriver>();
+    QVERIFY(driver_->ready());
+  }
+  void cleanup() { driver_.reset(); }
+
+  void everyEquationHasItsFormula() {
+    for (int i = 0; i < kDerivationStepCount; ++i) {
+      const auto step = static_cast<DerivationStep>(i);
+      for (const bool printed : {false, true}) {
+        QFile file(FormulaView::fileOf(step, printed));
+        QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+        QSvgRenderer renderer(file.readAll());
+        QVERIFY2(renderer.isValid(), qPrintable(file.fileName()));
+        QImage image(renderer.defaultSize() * 3, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        renderer.render(&painter);
+        painter.end();
+        int dark = 0;
+        for (int y = 0; y < image.height(); ++y) {
+          for (int x = 0; x < image.width(); ++x) dark += qGray(image.pixel(x, y)) < 128;
+        }
+        QVERIFY2(dark > 300, qPrintable(file.fileName()));
+      }
+      const bool differ = FormulaView::fileOf(step, true) != FormulaView::fileOf(step, false);
+      QCOMPARE(differ, textOf(step).isMisprinted());
+    }
+  }
+
+  void shippedLessonsShowAllStepsWithTheirValues() {
+    WindowDriver& d = *driver_;
+    QCOMPARE(d.window().lessons().shipped().size(), 3);
+    for (const char* id : {"silhouette", "apparent-ridge", "offset"}) {
+      d.trigger(qPrintable(QStringLiteral("lesson.shipped.") + id));
+      LessonModel& lesson = d.window().lesson();
+      QVERIFY(lesson.isOpen());
+      for (int i = 0; i < lesson.count(); ++i) {
+        lesson.goTo(i);
+        if (!lesson.equation()) continue;
+        const auto reading = lesson.reading();
+        QVERIFY2(reading && reading->corrected, qPrintable(QString::number(i)));
+        QVERIFY(reading->corrected->residual < 1e-12);
+        QVERIFY(d.child<QLabel>("lesson.values").text().contains("residual"));
+      }
+    }
+  }
+
+  void keysAndButtonsStep() {
+    WindowDriver& d = *driver_;
+    d.trigger("lesson.shipped.apparent-ridge");
+    LessonModel& lesson = d.window().lesson();
+    QCOMPARE(lesson.index(), 0);
+    d.canvasKey(Qt::Key_PageDown);
+    QCOMPARE(lesson.index(), 1);
+    d.canvasKey(Qt::Key_PageDown);
+    d.canvasKey(Qt::Key_PageUp);
+    QCOMPARE(lesson.index(), 1);
+    d.canvasKey(Qt::Key_PageDown, Qt::ShiftModifier);
+    QVERIFY(lesson.step().stop);
+    QCOMPARE(lesson.index(), 4);
+    d.canvasKey(Qt::Key_Home);
+    QCOMPARE(lesson.index(), 0);
+    QTest::mouseClick(&d.child<QToolButton>("lesson.next"), Qt::LeftButton);
+    QCOMPARE(lesson.index(), 1);
+    QTest::mouseClick(&d.child<QToolButton>("lesson.next-stop"), Qt::LeftButton);
+    QCOMPARE(lesson.index(), 4);
+    QTest::mouseClick(&d.child<QToolButton>("lesson.back"), Qt::LeftButton);
+    QCOMPARE(lesson.index(), 3);
+    QVERIFY(!d.document().file().has_filename());
+  }
+
+  void ownSceneComesBackUnmodified() {
+    WindowDriver& d = *driver_;
+    d.document().start(presets()[2].scene, "own");
+    const Scene own = d.scene();
+    d.window().display().setShows(MarkKind::Flat, true);
+    const MarkKinds families = d.window().display().families();
+    d.trigger("lesson.shipped.silhouette");
+    d.canvasKey(Qt::Key_PageDown);
+    QVERIFY(!(d.scene() == own));
+    QVERIFY(d.window().display().families() != families);
+    d.trigger("edit.undo");  // one step of the lesson is one step of undo
+    d.trigger("edit.undo");
+    QVERIFY(d.scene() == own);
+    d.trigger("edit.redo");
+    QTest::mouseClick(&d.child<QToolButton>("lesson.leave"), Qt::LeftButton);
+    QVERIFY(!d.window().lesson().isOpen());
+    QVERIFY(d.scene() == own);
+    QVERIFY(!d.document().isModified());
+    QVERIFY(d.window().display().families() == families);
+  }
+
+  void editsMadeInALessonAreNotLostAndNeitherIsOwnWork() {
+    WindowDriver& d = *driver_;
+    d.drag(d.atPoint(1), d.atPoint(1) + QPoint(30, 10));
+    const Scene own = d.scene();
+    QVERIFY(d.document().isModified());
+    d.trigger("lesson.shipped.silhouette");
+    d.drag(d.atPoint(2), d.atPoint(2) + QPoint(40, 25));
+    const Scene edited = d.scene();
+    QVERIFY(!(edited == own));
+    d.trigger("lesson.step.leave");
+    QVERIFY(d.scene() == own);
+    QVERIFY(d.document().isModified());
+    d.trigger("edit.undo");
+    QVERIFY2(d.scene() == edited, "what was drawn in the lesson");
+  }
+
+  void savingSavesTheOwnScene() {
+    WindowDriver& d = *driver_;
+    const Scene own = d.scene();
+    QVERIFY(d.window().files().saveTo(d.path("own.json")));
+    d.trigger("lesson.shipped.offset");
+    d.canvasKey(Qt::Key_PageDown);
+    QVERIFY(!(d.scene() == own));
+    d.trigger("file.save");
+    QVERIFY(d.scene() == own);
+    d.document().open(d.path("own.json").toStdString());
+    QVERIFY(d.scene() == own);
+  }
+
+  void openingAnotherSceneEndsTheLesson() {
+    WindowDriver& d = *driver_;
+    d.trigger("lesson.shipped.offset");
+    d.trigger("file.preset.circle");
+    QVERIFY(!d.window().lesson().isOpen());
+    QVERIFY(d.scene() == presets()[1].scene);
+  }
+
+  void printedAndCorrectedDifferOnScreen() {
+    WindowDriver& d = *driver_;
+    d.trigger("lesson.shipped.apparent-ridge");
+    LessonModel& lesson = d.window().lesson();
+    while (!(lesson.equation() == DerivationStep::Eq3_13)) lesson.next();
+    d.settle();
+    QVERIFY(lesson.isPrinted());
+    QVERIFY(d.window().display().showsPrintedRoots());
+    QVERIFY(d.child<QLabel>("lesson.values").text().contains("apart"));
+    const QImage with = d.canvas().grab().toImage();
+    d.window().display().setShowsPrintedRoots(false);
+    QVERIFY2(d.canvas().grab().toImage() != with, "hollow roots on the canvas");
+    QTest::mouseClick(&d.child<QToolButton>("lesson.corrected"), Qt::LeftButton);
+    QVERIFY(!lesson.isPrinted());
+    QVERIFY(d.child<QLabel>("lesson.values").text().contains("agree"));
+    QTest::mouseClick(&d.child<QToolButton>("lesson.printed"), Qt::LeftButton);
+    QVERIFY(lesson.isPrinted());
+  }
+
+  void valuesFollowTheDragAndTheProbe() {
+    WindowDriver& d = *driver_;
+    d.trigger("lesson.shipped.apparent-ridge");
+    d.window().lesson().goTo(6);
+    auto& values = d.child<QLabel>("lesson.values");
+    const QString before = values.text();
+    d.window().probe().moveBy(0.05);
+    QVERIFY(values.text() != before);
+    const QString moved = values.text();
+    const QPoint from = d.atPoint(1);
+    d.press(from);
+    d.move(from + QPoint(20, 20));
+    QVERIFY2(values.text() != moved, "before any event is processed: in the same frame");
+    d.release(from + QPoint(20, 20));
+    QVERIFY(d.window().findChild<StepSizePlot*>()->pointCount() > 20);
+  }
+
+  void aBrokenLessonIsToldAndChangesNothing() {
+    WindowDriver& d = *driver_;
+    const Scene own = d.scene();
+    QFile file(d.path("broken.md"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("# Broken\n\n## Step\n\n```flatland\n{\"preset\": \"nowhere\"}\n```\n");
+    file.close();
+    d.window().lessons().openFile(file.fileName());
+    QVERIFY(!d.window().lesson().isOpen());
+    QVERIFY(d.scene() == own);
+  }
+
+ private:
+  std::unique_ptr<WindowDriver> driver_;
+};
+
+QTEST_MAIN(LessonTest)
+#include "lesson_test.moc"

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/lesson_model.h"
+
+#include "flatland/features/orientation.h"
+#include "ui/commands/command_ids.h"
+#include "ui/commands/scene_commands.h"
+
+namespace flatland::ui {
+
+namespace {
+
+/// The scene of a step. Told from other commands by its id; never merged.
+class ShowLessonStep : public ReplaceScene {
+ public:
+  using ReplaceScene::ReplaceScene;
+  int id() const override { return kLessonCommandId; }
+};
+
+bool sameScene(const LessonState& a, const LessonState& b) {
+  return a.scene == b.scene && a.viewAngleDeg == b.viewAngleDeg;
+}
+
+bool sameProbe(const LessonState& a, const LessonState& b) {
+  return a.probeT == b.probeT && a.probeCurve == b.probeCurve;
+}
+
+}  // namespace
+
+LessonModel::LessonModel(Document& document, Probe& probe, Display& display, QObject* parent)
+    : QObject(parent), document_(document), probe_(probe), display_(display) {
+  connect(&document_, &Document::changed, this, &LessonModel::follow);
+}
+
+void LessonModel::start(Lesson lesson) {
+  leave();
+  own_ = Own{document_.scene(), probe_.place(), display_.families(), display_.showsPrintedRoots(),
+             document_.undoStack().index()};
+  lesson_ = std::move(lesson);
+  index_ = 0;
+  apply(false);
+}
+
+void LessonModel::leave() {
+  if (!lesson_) return;
+  lesson_.reset();
+  const Own own = *std::exchange(own_, std::nullopt);
+  QUndoStack& stack = document_.undoStack();
+  bool onlySteps = stack.index() >= own.undoIndex;
+  for (int i = own.undoIndex; i < stack.index(); ++i) {
+    onlySteps = onlySteps && stack.command(i)->id() == kLessonCommandId;
+  }
+  if (onlySteps) {
+    stack.setIndex(own.undoIndex);
+  } else {
+    document_.push(std::make_unique<ReplaceScene>(document_, own.scene, tr("leave lesson")));
+  }
+  probe_.setPlace(own.place);
+  for (const MarkKind kind : markKindsInLegendOrder()) {
+    display_.setShows(kind, contains(own.families, kind));
+  }
+  display_.setShowsPrintedRoots(own.printedRoots);
+  printed_ = false;
+  emit changed();
+}
+
+void LessonModel::goTo(int index) {
+  if (!lesson_ || index < 0 || index >= count() || index == index_) return;
+  const LessonState before = step().state;
+  const bool near = std::abs(index - index_) == 1;
+  index_ = index;
+  apply(near && sameScene(before, step().state) && sameProbe(before, step().state));
+}
+
+void LessonModel::nextStop() {
+  if (const auto stop = stopAfter(index_)) goTo(*stop);
+}
+
+void LessonModel::showAgain() {
+  if (lesson_) apply(false);
+}
+
+std::optional<int> LessonModel::stopAfter(int index) const {
+  for (int i = index + 1; i < count(); ++i) {
+    if (lesson_->steps[static_cast<std::size_t>(i)].stop) return i;
+  }
+  return std::nullopt;
+}
+
+void LessonModel::apply(bool keepScene) {
+  const LessonState& state = step().state;
+  if (!keepScene) {
+    Scene scene = state.scene ? *state.scene : own_->scene;
+    if (state.viewAngleDeg) scene.view.angleDeg = normalizedDeg(*state.viewAngleDeg);
+    showing_ = true;  // the stack counts the command only after it was done
+    document_.push(std::make_unique<ShowLessonStep>(
+        document_, std::move(scene), tr("lesson: %1").arg(QString::fromStdString(step().title))));
+    showing_ = false;
+    if (state.probeT) probe_.setPlace(Probe::Place{state.probeCurve, *state.probeT});
+  }
+  if (state.equation && !probe_.place()) probe_.moveBy(0.0);
+  if (!state.families.empty()) {
+    MarkKinds wanted;
+    for (const std::string& name : state.families) {
+      wanted.set(static_cast<std::size_t>(*markKindNamed(name)));
+    }
+    for (const MarkKind kind : markKindsInLegendOrder()) {
+      display_.setShows(kind, contains(wanted, kind));
+    }
+  }
+  display_.setShowsPrintedRoots(state.printedRoots);
+  printed_ = state.printed;
+  emit changed();
+  if (!state.panel.empty()) emit panelWanted(QString::fromStdString(state.panel));
+}
+
+/// Another file or preset was opened: there is no own scene to go back to.
+void LessonModel::follow(const Change& change) {
+  if (!lesson_ || showing_ || change.what != Change::What::Scene ||
+      document_.undoStack().count() > 0)
+    return;
+  for (const MarkKind kind : markKindsInLegendOrder()) {
+    display_.setShows(kind, contains(own_->families, kind));
+  }
+  display_.setShowsPrintedRoots(own_->printedRoots);
+  lesson_.reset();
+  own_.reset();
+  printed_ = false;
+  emit changed();
+}
+
+void LessonModel::setPrinted(bool printed) {
+  const auto step = equation();
+  if (printed == printed_ || !step || !textOf(*step).isMisprinted()) return;
+  printed_ = printed;
+  emit changed();
+}
+
+std::optional<DerivationStep> LessonModel::equation() const {
+  return lesson_ ? step().state.equation : std::nullopt;
+}
+
+std::optional<DerivationPlace> LessonModel::placeOfProbe() const {
+  const auto& place = probe_.place();
+  if (!place) return std::nullopt;
+  const Scene& scene = document_.scene();
+  const SceneCurve& curve = scene.curves[place->curve];
+  const ViewFrame frame = frameOf(scene.view);
+  return DerivationPlace{curve.shape, place->t, frame, normalSide(curve, frame)};
+}
+
+std::optional<StepReading> LessonModel::reading() const {
+  const auto step = equation();
+  const auto place = placeOfProbe();
+  if (!step || !place) return std::nullopt;
+  return readStep(*step, *place);
+}
+
+std::vector<StepDifference> LessonModel::sweep() const {
+  const auto step = equation();
+  const auto place = placeOfProbe();
+  if (!step || !place) return {};
+  return stepSizeSweep(*step, *place);
+}
+
+}  // namespace flatland::ui

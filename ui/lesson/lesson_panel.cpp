@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/lesson_panel.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QTextBrowser>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/lesson/formula_view.h"
+#include "ui/lesson/lesson_words.h"
+#include "ui/plot/step_size_plot.h"
+
+namespace flatland::ui {
+
+LessonPanel::LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QWidget* parent)
+    : QWidget(parent), lesson_(lesson), probe_(probe), display_(display) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 2, 8, 4);
+  layout->setSpacing(2);
+  layout->addLayout(buildHeader());
+  words_ = new QTextBrowser(this);
+  words_->setObjectName("lesson.words");
+  words_->setAccessibleName(tr("Words of the step"));
+  words_->setFrameShape(QFrame::NoFrame);
+  words_->setOpenLinks(false);
+  words_->viewport()->setAutoFillBackground(false);
+  equation_ = new QWidget(this);
+  equation_->setLayout(buildEquation());
+  plot_ = new StepSizePlot(this);
+  auto* row = new QHBoxLayout;
+  row->addWidget(words_, 5);
+  row->addWidget(equation_, 6);
+  row->addWidget(plot_, 4);
+  layout->addLayout(row, 1);
+
+  connect(&lesson_, &LessonModel::changed, this, &LessonPanel::showStep);
+  connect(&probe_, &Probe::changed, this, &LessonPanel::showValues);
+  connect(&display_, &Display::changed, this, &LessonPanel::showSwitches);
+  showStep();
+}
+
+QToolButton* LessonPanel::addButton(const char* id, const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(id);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+QLayout* LessonPanel::buildHeader() {
+  auto* row = new QHBoxLayout;
+  title_ = new QLabel(this);
+  title_->setObjectName("lesson.title");
+  row->addWidget(title_, 1);
+  first_ = addButton("lesson.first", QStringLiteral("|◀"), tr("First step (Home)"));
+  back_ = addButton("lesson.back", QStringLiteral("◀"), tr("Step back (Page Up)"));
+  next_ = addButton("lesson.next", QStringLiteral("▶"), tr("Next step (Page Down)"));
+  stop_ = addButton("lesson.next-stop", QStringLiteral("▶|"),
+                    tr("On to the next stop (Shift + Page Down)"));
+  again_ = addButton("lesson.again", QStringLiteral("↺"), tr("The scene of this step again"));
+  leave_ = addButton("lesson.leave", tr("Leave"), tr("Leave the lesson: back to your own scene"));
+  connect(first_, &QToolButton::clicked, &lesson_, &LessonModel::first);
+  connect(back_, &QToolButton::clicked, &lesson_, &LessonModel::back);
+  connect(next_, &QToolButton::clicked, &lesson_, &LessonModel::next);
+  connect(stop_, &QToolButton::clicked, &lesson_, &LessonModel::nextStop);
+  connect(again_, &QToolButton::clicked, &lesson_, &LessonModel::showAgain);
+  connect(leave_, &QToolButton::clicked, &lesson_, &LessonModel::leave);
+  for (QToolButton* button : {first_, back_, next_, stop_, again_, leave_}) row->addWidget(button);
+  return row;
+}
+
+QLayout* LessonPanel::buildEquation() {
+  auto* column = new QVBoxLayout;
+  column->setContentsMargins({});
+  column->setSpacing(2);
+  formula_ = new FormulaView(this);
+  formula_->setObjectName("lesson.formula");
+  column->addWidget(formula_, 1);
+  auto* row = new QHBoxLayout;
+  printed_ = addButton("lesson.printed", tr("As printed"), tr("The equation as the thesis has it"));
+  corrected_ = addButton("lesson.corrected", tr("Corrected"), tr("The equation as it should be"));
+  for (QToolButton* button : {printed_, corrected_}) {
+    button->setCheckable(true);
+    row->addWidget(button);
+  }
+  connect(printed_, &QToolButton::clicked, this, [this] {
+    lesson_.setPrinted(true);
+    showSwitches();
+  });
+  connect(corrected_, &QToolButton::clicked, this, [this] {
+    lesson_.setPrinted(false);
+    showSwitches();
+  });
+  roots_ = new QCheckBox(tr("Printed roots on the curve"), this);
+  roots_->setObjectName("lesson.printed-roots");
+  roots_->setToolTip(tr("Where (3.13) as printed would put apparent ridges: hollow and dashed"));
+  connect(roots_, &QCheckBox::toggled, &display_, &Display::setShowsPrintedRoots);
+  row->addWidget(roots_);
+  row->addStretch(1);
+  column->addLayout(row);
+  values_ = new QLabel(this);
+  values_->setObjectName("lesson.values");
+  values_->setTextFormat(Qt::RichText);
+  values_->setWordWrap(true);
+  values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(values_);
+  return column;
+}
+
+void LessonPanel::showStep() {
+  const bool open = lesson_.isOpen();
+  const auto equation = lesson_.equation();
+  if (open) {
+    const LessonStep& step = lesson_.step();
+    title_->setText(tr("<b>%1</b> · step %2 of %3%4")
+                        .arg(QString::fromStdString(lesson_.lesson().title).toHtmlEscaped())
+                        .arg(lesson_.index() + 1)
+                        .arg(lesson_.count())
+                        .arg(step.stop ? tr(" · stop") : QString()));
+    words_->setMarkdown("**" + QString::fromStdString(step.title) + "**\n\n" +
+                        QString::fromStdString(step.text));
+  } else {
+    title_->setText(tr("No lesson is open"));
+    words_->setMarkdown(tr("The **Lesson** menu has three, and opens your own."));
+  }
+  first_->setEnabled(open && lesson_.index() > 0);
+  back_->setEnabled(open && lesson_.index() > 0);
+  next_->setEnabled(open && lesson_.index() + 1 < lesson_.count());
+  stop_->setEnabled(open && lesson_.hasNextStop());
+  again_->setEnabled(open);
+  leave_->setEnabled(open);
+  equation_->setVisible(equation.has_value());
+  plot_->setVisible(equation.has_value() && !textOf(*equation).step.empty());
+  formula_->show(equation, lesson_.isPrinted());
+  showSwitches();
+  showValues();
+}
+
+void LessonPanel::showSwitches() {
+  const auto equation = lesson_.equation();
+  const bool misprinted = equation && textOf(*equation).isMisprinted();
+  printed_->setVisible(misprinted);
+  corrected_->setVisible(misprinted);
+  printed_->setChecked(lesson_.isPrinted());
+  corrected_->setChecked(!lesson_.isPrinted());
+  roots_->setVisible(equation == DerivationStep::Eq3_13);
+  roots_->setChecked(display_.showsPrintedRoots());
+}
+
+void LessonPanel::showValues() {
+  const auto equation = lesson_.equation();
+  if (!equation) return;
+  values_->setText(valuesForPeople(*equation, lesson_.reading(), lesson_.isPrinted()));
+  const std::string_view step = textOf(*equation).step;
+  plot_->show(lesson_.sweep(), QString::fromUtf8(step.data(), static_cast<qsizetype>(step.size())));
+}
+
+}  // namespace flatland::ui

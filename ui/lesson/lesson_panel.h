@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "ui/lesson/lesson_model.h"
+
+class QCheckBox;
+class QLabel;
+class QTextBrowser;
+class QToolButton;
+
+namespace flatland::ui {
+
+class FormulaView;
+class StepSizePlot;
+
+/// The lesson strip: words, formula, both sides at the probe, residual, step-size sweep.
+class LessonPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QWidget* parent = nullptr);
+
+  QSize sizeHint() const override { return {860, 180}; }
+  QSize minimumSizeHint() const override { return {520, 140}; }
+
+ signals:
+  void chooseLesson();  ///< no lesson is open and the person asks for one
+
+ private:
+  QLayout* buildHeader();
+  QLayout* buildEquation();
+  QToolButton* addButton(const char* id, const QString& text, const QString& tip);
+  void showStep();
+  void showValues();
+  void showSwitches();
+
+  LessonModel& lesson_;
+  Probe& probe_;
+  Display& display_;
+  QLabel* title_;
+  QToolButton* first_;
+  QToolButton* back_;
+  QToolButton* next_;
+  QToolButton* stop_;
+  QToolButton* again_;
+  QToolButton* leave_;
+  QTextBrowser* words_;
+  FormulaView* formula_;
+  QToolButton* printed_;
+  QToolButton* corrected_;
+  QCheckBox* roots_;
+  QLabel* values_;
+  QWidget* equation_;
+  StepSizePlot* plot_;
+};
+
+}  // namespace flatland::ui

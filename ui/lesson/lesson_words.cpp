@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/lesson_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace flatland::ui {
+
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(LessonWords)
+};
+
+constexpr int kDigits = 6;
+constexpr double kAgreement = 1e-12;  ///< residuals of rounding lie far below, misprints far above
+
+QString plain(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toHtmlEscaped();
+}
+
+QString number(double value) {
+  return QString::number(value, 'g', kDigits).replace('-', QChar(0x2212));
+}
+
+QString valueText(const StepValue& value) {
+  QStringList rows;
+  for (int r = 0; r < value.rows; ++r) {
+    QStringList row;
+    for (int c = 0; c < value.columns; ++c) {
+      row << number(value.entries[static_cast<std::size_t>(r * value.columns + c)]);
+    }
+    rows << row.join("&nbsp;&nbsp;");
+  }
+  return rows.size() == 1 ? rows.front() : "(" + rows.join("; ") + ")";
+}
+
+QString whyNot(StepAnswer answer) {
+  switch (answer) {
+    case StepAnswer::NoTangent:
+      return Words::tr(
+          "A cusp: the curve has no tangent here, so there is no normal. Move the probe.");
+    case StepAnswer::Silhouette:
+      return Words::tr(
+          "A silhouette: n·j = 0. Nothing can be differentiated by the screen coordinate here; λ "
+          "has "
+          "no finite value.");
+    case StepAnswer::NoDirection:
+      return Words::tr("The two curvatures are equal here: no direction is principal.");
+    case StepAnswer::Evaluated:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+QString valuesForPeople(DerivationStep step, const std::optional<StepReading>& reading,
+                        bool printed) {
+  if (!reading) return Words::tr("Point at the curve to see the values there.");
+  const auto& sides = printed ? reading->printed : reading->corrected;
+  if (!sides) return whyNot(reading->answer);
+  const DerivationStepText& text = textOf(step);
+  const QString left = plain(printed ? text.printedLeft : text.left);
+  const QString right = plain(printed ? text.printedRight : text.right);
+  const bool agree = sides->residual < kAgreement;
+  const QString verdict = agree
+                              ? Words::tr("both sides agree")
+                              : Words::tr("<b>%1 % apart</b>").arg(100.0 * sides->apart, 0, 'f', 1);
+  return QStringLiteral(
+             "<table cellspacing='0'><tr><td>%1&nbsp;</td><td>=&nbsp;%2</td></tr>"
+             "<tr><td>%3&nbsp;</td><td>=&nbsp;%4</td></tr>"
+             "<tr><td>%5&nbsp;</td><td>%6</td></tr></table>")
+      .arg(left, valueText(sides->left), right, valueText(sides->right),
+           Words::tr("residual %1").arg(QString::number(sides->residual, 'e', 1)), verdict);
+}
+
+}  // namespace flatland::ui
