@@ -202,6 +202,23 @@ std::optional<Terms> termsIfRegular(const Jet& jet, const ViewFrame& frame) {
   return termsAt(jet, frame, 1);
 }
 
+/// Where a way begins: the scene seen from infinitely far away, the curve, and the point's place.
+struct Start {
+  Scene seen;
+  Curve shape;
+  double length, u;
+};
+
+// nullopt if the curve is a point.
+std::optional<Start> startAt(const Scene& scene, int curve, double t) {
+  Start start{scene, shapeOf(scene, curve), 0.0, 0.0};
+  start.seen.view.distance.reset();
+  start.length = lengthOf(start.shape);
+  if (!(start.length > 0.0)) return std::nullopt;
+  start.u = arcLength(start.shape, 0.0, t, 1e-10 * start.length).value;
+  return start;
+}
+
 }  // namespace
 
 std::string_view nameOf(LimitExperiment experiment) {
@@ -271,13 +288,12 @@ std::optional<LimitSeries> turnToSilhouette(const Scene& scene, int curve, doubl
 }
 
 std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, double t) {
-  Scene seen = scene;
-  seen.view.distance.reset();
-  const Curve& shape = shapeOf(seen, curve);
-  const double length = lengthOf(shape);
-  if (!(length > 0.0)) return std::nullopt;
+  const auto start = startAt(scene, curve, t);
+  if (!start) return std::nullopt;
+  const Scene& seen = start->seen;
+  const Curve& shape = start->shape;
+  const double length = start->length, u = start->u;
   const ViewFrame frame = frameOf(seen.view);
-  const double u = arcLength(shape, 0.0, t, 1e-10 * length).value;
   const FeatureSet features = findFeatures(seen);
   std::vector<Terms> terms;
   for (const Mark& mark : features.marks) {
@@ -320,12 +336,11 @@ std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, doubl
 }
 
 std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, double t) {
-  Scene seen = scene;
-  seen.view.distance.reset();
-  const Curve& shape = shapeOf(seen, curve);
-  const double length = lengthOf(shape);
-  if (!(length > 0.0)) return std::nullopt;
-  const double u = arcLength(shape, 0.0, t, 1e-10 * length).value;
+  auto start = startAt(scene, curve, t);
+  if (!start) return std::nullopt;
+  Scene& seen = start->seen;
+  const Curve& shape = start->shape;
+  const double length = start->length, u = start->u;
   std::optional<Mark> at;
   for (const Mark& mark : findFeatures(seen).marks) {
     if (mark.kind != MarkKind::Inflection || mark.curve != curve) continue;

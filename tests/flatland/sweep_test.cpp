@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "flatland/screen/sweep_visibility.h"
+#include "tests/support/fitted_bezier.h"
 #include "tests/support/seed.h"
 
 namespace {
@@ -120,6 +121,53 @@ TEST(Sweep, ParabolaFoldsAtThirtyDegrees) {
       EXPECT_EQ(branch.kind == MarkKind::ApparentRidge, std::abs(q) < 1.0 / std::numbers::sqrt3)
           << point.t;
     }
+  }
+}
+
+// The ellipse (a cos t, b sin t). lambda = k^2 / (n.w)^2 is stationary, from the direction phi,
+// where
+//   tan(phi) = b/a tau (a^2 tau^2 + 3 b^2 - 2 a^2) / ((3 a^2 - 2 b^2) tau^2 + b^2),  tau = tan(t),
+// and folds where the derivative of that by tau vanishes, a quadratic in tau^2:
+//   a^2 q x^2 + (3 a^2 r - p q) x + p r = 0,  p = 3 b^2 - 2 a^2, q = 3 a^2 - 2 b^2, r = b^2.
+// The tip (tau infinite) is an apparent ridge if q < 0: b/a > sqrt(3/2).
+TEST(Sweep, EllipseBirthsAreThoseOfTheClosedForm) {
+  using test::Precise;
+  for (const double b : {1.1, 1.2, 1.25, 1.3, 2.0, 3.0}) {
+    const double margin = 0.35, low = margin, high = std::numbers::pi - margin;
+    const Bezier arc = test::fittedBezier([](const Precise& t) -> Precise { return cos(t); },
+                                          [b](const Precise& t) -> Precise { return b * sin(t); },
+                                          Precise(low), Precise(high), 14);
+    const Sweep sweep = sweepOf({{{BezierChain(arc)}}, {}});
+    std::vector<SweepEvent> folds;
+    for (const SweepEvent& event : sweep.events) {
+      if (event.what == SweepEvent::What::Fold) folds.push_back(event);
+    }
+    const double p = 3.0 * b * b - 2.0, q = 3.0 - 2.0 * b * b, r = b * b;
+    std::vector<double> wanted;  // t of the ellipse, where it is on the arc
+    const double half = 0.5 * (3.0 * r - p * q) / q, constant = p * r / q;
+    if (half * half > constant) {
+      for (const double sign : {-1.0, 1.0}) {
+        const double x = -half + sign * std::sqrt(half * half - constant);
+        if (!(x > 0.0)) continue;
+        for (const double t : {std::atan(std::sqrt(x)), std::numbers::pi - std::atan(std::sqrt(x))})
+          if (t > low && t < high) wanted.push_back(t);
+      }
+    }
+    std::sort(wanted.begin(), wanted.end());
+    ASSERT_EQ(folds.size(), wanted.size()) << b;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const double tau = std::tan(wanted[i]);
+      const double phi = std::atan(b * tau * (tau * tau + p) / (q * tau * tau + r));
+      EXPECT_NEAR(low + folds[i].t * (high - low), wanted[i], 1e-6) << b;
+      EXPECT_NEAR(halfTurnDeg(folds[i].angleDeg - phi * 180.0 / std::numbers::pi), 0.0, 1e-6) << b;
+    }
+    // The tip, seen head-on.
+    for (const SweepBranch& branch : sweep.branches) {
+      if (branch.kind == MarkKind::Silhouette) continue;
+      if (branch.points.front().t > 0.5 || branch.points.back().t < 0.499) continue;
+      EXPECT_EQ(branch.kind == MarkKind::ApparentRidge, b > std::sqrt(1.5)) << b;
+    }
+    EXPECT_EQ(!wanted.empty(), b > std::sqrt(1.5)) << b;
   }
 }
 

@@ -33,22 +33,6 @@ QByteArray readFile(const QString& name) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Types a name into the file dialog that the next action opens, and accepts.
-void typeFileName(const QString& name) {
-  whenModal([name](QWidget& dialog) {
-    auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
-    QVERIFY(edit);
-    edit->setText(name);  // keys would open the list of completions, which takes Return
-    const auto* buttons = dialog.findChild<QDialogButtonBox*>();
-    for (QAbstractButton* button : buttons->buttons()) {
-      if (buttons->buttonRole(button) != QDialogButtonBox::AcceptRole) continue;
-      QTest::mouseClick(button, Qt::LeftButton);
-      return;
-    }
-    QFAIL("no button to accept with");
-  });
-}
-
 /// Clicks a button of the message box that the next action opens.
 void answer(QMessageBox::StandardButton button, bool* asked) {
   *asked = false;

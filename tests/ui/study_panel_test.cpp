@@ -225,18 +225,7 @@ class StudyPanelTest : public QObject {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
   void writeTable(const QString& name) {
-    whenModal([name](QWidget& dialog) {
-      auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
-      QVERIFY(edit);
-      edit->setText(name);
-      const auto* buttons = dialog.findChild<QDialogButtonBox*>();
-      for (QAbstractButton* button : buttons->buttons()) {
-        if (buttons->buttonRole(button) != QDialogButtonBox::AcceptRole) continue;
-        QTest::mouseClick(button, Qt::LeftButton);
-        return;
-      }
-      QFAIL("no button to accept with");
-    });
+    typeFileName(name);
     click("study.table");
     QTRY_VERIFY_WITH_TIMEOUT(!panel_->source().isRunning(), kLongMs);
     driver_->settle();

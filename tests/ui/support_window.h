@@ -4,6 +4,8 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QDialogButtonBox>
+#include <QLineEdit>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -136,6 +138,22 @@ void whenModal(Deal deal) {
     deal(*modal);
   });
   timer->start();
+}
+
+/// Types a name into the file dialog that the next action opens, and accepts.
+inline void typeFileName(const QString& name) {
+  whenModal([name](QWidget& dialog) {
+    auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
+    QVERIFY(edit);
+    edit->setText(name);  // keys would open the list of completions, which takes Return
+    const auto* buttons = dialog.findChild<QDialogButtonBox*>();
+    for (QAbstractButton* button : buttons->buttons()) {
+      if (buttons->buttonRole(button) != QDialogButtonBox::AcceptRole) continue;
+      QTest::mouseClick(button, Qt::LeftButton);
+      return;
+    }
+    QFAIL("no button to accept with");
+  });
 }
 
 }  // namespace flatland::ui

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/export/figure_builder.h"
 #include "ui/export/study_figure.h"
 
 namespace flatland::ui {
@@ -26,13 +27,13 @@ std::string withError(double slope, double error) {
   return text.data();
 }
 
-class Builder {
+class Builder : FigureBuilder {
  public:
   Builder(const LimitSeries& series, const LimitsFigureOptions& options)
-      : series_(series),
+      : FigureBuilder(options.width, options.height, options.palette, options.textPx),
+        series_(series),
         law_(series.laws[std::min(options.law, series.laws.size() - 1)]),
-        options_(options),
-        colours_(sceneColours(options.palette)) {
+        options_(options) {
     x_ = {std::log10(series.x.back()), std::log10(series.x.front())};
     y_ = {1e9, -1e9};
     for (const double value : law_.values) {
@@ -48,9 +49,6 @@ class Builder {
   }
 
   Figure build() {
-    figure_.width = options_.width;
-    figure_.height = options_.height;
-    figure_.background = colours_.background;
     addAxes();
     if (hasValues_) {
       addPredicted();
@@ -71,29 +69,13 @@ class Builder {
            (logY - y_.low) / (y_.high - y_.low) * (options_.height - kTopPx - kBottomPx);
   }
 
-  FigureGroup& group(const std::string& id) {
-    return figure_.groups.emplace_back(FigureGroup{id, id, {}});
-  }
-
-  static void addLine(FigureGroup& to, const Vec2& a, const Vec2& b, const Stroke& stroke) {
-    PathData path;
-    path.moveTo(a);
-    path.lineTo(b);
-    to.shapes.emplace_back(PathShape{std::move(path), std::nullopt, stroke});
-  }
-
-  void addText(FigureGroup& to, const Vec2& at, const std::string& text, TextShape::Anchor anchor,
-               Rgb colour) {
-    to.shapes.emplace_back(TextShape{at, text, options_.textPx, colour, anchor, false});
-  }
-
   static int stepFor(double decades, double lengthPx) {
     return std::max(1, static_cast<int>(std::ceil(decades * kTickPx / lengthPx)));
   }
 
   void addAxes() {
-    FigureGroup& axes = group("axes");
-    const Stroke faint{.colour = paler(colours_.faint, colours_.background), .width = 0.7};
+    FigureGroup& axes = group("axes", "axes");
+    const Stroke faint = gridStroke();
     const double left = kLeftPx, right = options_.width - kRightPx;
     const double top = kTopPx, bottom = options_.height - kBottomPx;
     const int xStep = stepFor(x_.high - x_.low, right - left);
@@ -101,16 +83,15 @@ class Builder {
       if (d % xStep != 0) continue;
       addLine(axes, {px(d), top}, {px(d), bottom}, faint);
       addText(axes, {px(d), bottom + 12.0}, shortNumber(std::pow(10.0, d)),
-              TextShape::Anchor::Middle, colours_.text);
+              TextShape::Anchor::Middle);
     }
     const int yStep = stepFor(y_.high - y_.low, (bottom - top) * 2.0);
     for (int d = static_cast<int>(std::ceil(y_.low)); d <= y_.high; ++d) {
       if (d % yStep != 0) continue;
       addLine(axes, {left, py(d)}, {right, py(d)}, faint);
-      addText(axes, {left - 6.0, py(d)}, shortNumber(std::pow(10.0, d)), TextShape::Anchor::End,
-              colours_.text);
+      addText(axes, {left - 6.0, py(d)}, shortNumber(std::pow(10.0, d)), TextShape::Anchor::End);
     }
-    const Stroke frame{.colour = colours_.text, .width = 1.0};
+    const Stroke frame = frameStroke();
     addLine(axes, {left, bottom}, {right, bottom}, frame);
     addLine(axes, {left, top}, {left, bottom}, frame);
     if (options_.markedX && *options_.markedX > 0.0) {
@@ -123,7 +104,7 @@ class Builder {
   }
 
   void addPoints() {
-    FigureGroup& points = group("points");
+    FigureGroup& points = group("points", "points");
     for (std::size_t i = 0; i < series_.x.size(); ++i) {
       if (!(law_.values[i] > 0.0) || !std::isfinite(law_.values[i])) continue;
       PathData dot;
@@ -150,7 +131,7 @@ class Builder {
 
   void addPredicted() {
     if (!law_.order || !law_.coefficient) return;
-    addPower(group("predicted"), *law_.order, *law_.coefficient, x_.low, x_.high,
+    addPower(group("predicted", "predicted"), *law_.order, *law_.coefficient, x_.low, x_.high,
              {.colour = styleOf(MarkKind::Inflection, options_.palette).colour,
               .width = 1.6,
               .dash = {6.0, 4.0}});
@@ -158,30 +139,27 @@ class Builder {
 
   void addFit() {
     if (!law_.fit) return;
-    addPower(group("fit"), law_.fit->slope, law_.fit->coefficient, std::log10(law_.fit->xLow),
-             std::log10(law_.fit->xHigh),
+    addPower(group("fit", "fit"), law_.fit->slope, law_.fit->coefficient,
+             std::log10(law_.fit->xLow), std::log10(law_.fit->xHigh),
              {.colour = styleOf(MarkKind::ApparentRidge, options_.palette).colour, .width = 3.5});
   }
 
   void addWords() {
-    FigureGroup& words = group("words");
+    FigureGroup& words = group("words", "words");
     const double middle = 0.5 * (kLeftPx + options_.width - kRightPx);
-    addText(words, {middle, options_.height - 11.0}, options_.xName, TextShape::Anchor::Middle,
-            colours_.text);
-    addText(words, {8.0, 12.0}, options_.yName, TextShape::Anchor::Start, colours_.text);
+    addText(words, {middle, options_.height - 11.0}, options_.xName, TextShape::Anchor::Middle);
+    addText(words, {8.0, 12.0}, options_.yName, TextShape::Anchor::Start);
     std::string text = "no power law here";
     if (law_.order) text = "predicted slope " + shortNumber(*law_.order);
     if (law_.fit) text += ", fitted " + withError(law_.fit->slope, law_.fit->slopeError);
-    addText(words, {options_.width - kRightPx, 12.0}, text, TextShape::Anchor::End, colours_.text);
+    addText(words, {options_.width - kRightPx, 12.0}, text, TextShape::Anchor::End);
   }
 
   const LimitSeries& series_;
   const LimitLaw& law_;
   const LimitsFigureOptions& options_;
-  const SceneColours& colours_;
   Range x_{}, y_{};
   bool hasValues_ = false;
-  Figure figure_;
 };
 
 }  // namespace

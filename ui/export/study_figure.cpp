@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/export/figure_builder.h"
+
 namespace flatland::ui {
 
 namespace {
@@ -43,16 +45,13 @@ struct Row {
   double top, bottom;
 };
 
-class Builder {
+class Builder : FigureBuilder {
  public:
   explicit Builder(const StudyFigureOptions& options)
-      : options_(options), colours_(sceneColours(options.palette)) {
-    figure_.width = options.width;
-    figure_.height = options.height;
-    figure_.background = colours_.background;
-    bars_ = styleOf(MarkKind::Inflection, options.palette).colour;
-    strong_ = styleOf(MarkKind::ApparentRidge, options.palette).colour;
-  }
+      : FigureBuilder(options.width, options.height, options.palette, options.textPx),
+        options_(options),
+        bars_(styleOf(MarkKind::Inflection, options.palette).colour),
+        strong_(styleOf(MarkKind::ApparentRidge, options.palette).colour) {}
 
   Figure build(const OffsetSummary& summary, const OffsetStudyOptions& study) {
     const double bottom = options_.height - kBottomPx;
@@ -81,25 +80,10 @@ class Builder {
   }
 
  private:
-  FigureGroup& group(const std::string& id, const std::string& classes) {
-    return figure_.groups.emplace_back(FigureGroup{id, classes, {}});
-  }
-
-  static void addLine(FigureGroup& to, const Vec2& a, const Vec2& b, const Stroke& stroke) {
-    PathData path;
-    path.moveTo(a);
-    path.lineTo(b);
-    to.shapes.emplace_back(PathShape{std::move(path), std::nullopt, stroke});
-  }
-
-  void addText(FigureGroup& to, const Vec2& at, const std::string& text, TextShape::Anchor anchor) {
-    to.shapes.emplace_back(TextShape{at, text, options_.textPx, colours_.text, anchor, false});
-  }
-
   void addAxis(const Row& row) {
     FigureGroup& axis = group("axis", "axis");
     const Decades d = decadesOf(options_.diagram);
-    const Stroke faint{.colour = paler(colours_.faint, colours_.background), .width = 0.7};
+    const Stroke faint = gridStroke();
     const double px = (xOf(1.0, options_) - xOf(0.0, options_));
     const int every = std::max(1, static_cast<int>(std::ceil(kDecadePx / px)));
     for (int decade = static_cast<int>(d.low); decade <= static_cast<int>(d.high); ++decade) {
@@ -109,8 +93,7 @@ class Builder {
       addText(axis, {x, row.bottom + 13.0}, shortNumber(std::pow(10.0, decade)),
               TextShape::Anchor::Middle);
     }
-    addLine(axis, {kLeftPx, row.bottom}, {options_.width - kRightPx, row.bottom},
-            {.colour = colours_.text, .width = 1.0});
+    addLine(axis, {kLeftPx, row.bottom}, {options_.width - kRightPx, row.bottom}, frameStroke());
   }
 
   void addTitle(const std::string& text) {
@@ -194,9 +177,7 @@ class Builder {
   }
 
   const StudyFigureOptions& options_;
-  const SceneColours& colours_;
   Rgb bars_, strong_;
-  Figure figure_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flatland/curve/curve.h"
+#include "ui/export/figure_builder.h"
 #include "ui/export/label_placement.h"
 #include "ui/export/plain_text.h"
 
@@ -90,18 +91,15 @@ Legend legendOf(const Sweep& sweep, const SweepFigureOptions& options) {
   return legend;
 }
 
-class Builder {
+class Builder : FigureBuilder {
  public:
   Builder(const Sweep& sweep, const std::vector<double>& lengths, const SweepFigureOptions& options)
-      : sweep_(sweep),
+      : FigureBuilder(options.width, options.height, options.palette, options.textPx),
+        sweep_(sweep),
         options_(options),
-        colours_(sceneColours(options.palette)),
         axes_(sweepAxes(sweep, lengths, options)) {}
 
   Figure build() {
-    figure_.width = options_.width;
-    figure_.height = options_.height;
-    figure_.background = colours_.background;
     addAxes();
     addLines();
     for (const MarkKind kind : markKindsInLegendOrder()) addBranches(kind);
@@ -115,21 +113,6 @@ class Builder {
   const SweepAxes::Box& box() const { return axes_.box(); }
   const SweepWindow& window() const { return axes_.window(); }
 
-  FigureGroup& group(const std::string& id, const std::string& classes) {
-    return figure_.groups.emplace_back(FigureGroup{id, classes, {}});
-  }
-
-  static void addLine(FigureGroup& to, const Vec2& a, const Vec2& b, const Stroke& stroke) {
-    PathData path;
-    path.moveTo(a);
-    path.lineTo(b);
-    to.shapes.emplace_back(PathShape{std::move(path), std::nullopt, stroke});
-  }
-
-  void addText(FigureGroup& to, const Vec2& at, const std::string& text, TextShape::Anchor anchor) {
-    to.shapes.emplace_back(TextShape{at, text, options_.textPx, colours_.text, anchor, false});
-  }
-
   Rgb shade(Rgb colour, bool visible) const {
     return visible ? colour : paler(colour, colours_.background);
   }
@@ -137,7 +120,7 @@ class Builder {
   void addAxes() {
     FigureGroup& grid = group("grid", "grid");
     FigureGroup axes{"axes", "axes", {}};
-    const Stroke faint{.colour = paler(colours_.faint, colours_.background), .width = 0.7};
+    const Stroke faint = gridStroke();
     const SweepWindow& w = window();
     const double range = w.angleHigh - w.angleLow;
     const double labelPx = estimatedWidth("-180\u00b0", options_.textPx) + 14.0;
@@ -155,7 +138,7 @@ class Builder {
               TextShape::Anchor::Middle);
     }
     for (int curve = 0; curve < axes_.curveCount(); ++curve) addArcTicks(grid, axes, curve, faint);
-    const Stroke frame{.colour = colours_.text, .width = 1.0};
+    const Stroke frame = frameStroke();
     addLine(grid, {box().left, box().bottom}, {box().right, box().bottom}, frame);
     addLine(grid, {box().left, box().top}, {box().right, box().top}, frame);
     addLine(grid, {box().left, box().bottom}, {box().left, box().top}, frame);
@@ -205,14 +188,14 @@ class Builder {
           "lines-" + std::string(nameOf(kind)), "line " + std::string(nameOf(kind)), {}};
       for (std::size_t i = 0; i < sweep_.lines.size(); ++i) {
         const SweepLine& line = sweep_.lines[i];
-        if (line.kind == kind && inWindow(axes_.start(line.curve) + line.u)) addLine(lines, i);
+        if (line.kind == kind && inWindow(axes_.start(line.curve) + line.u)) addLevel(lines, i);
       }
       if (!lines.shapes.empty()) figure_.groups.push_back(std::move(lines));
     }
   }
 
   // A level line, paler over the directions from which the mark is hidden.
-  void addLine(FigureGroup& to, std::size_t index) {
+  void addLevel(FigureGroup& to, std::size_t index) {
     const SweepLine& line = sweep_.lines[index];
     const double at = axes_.y(line.curve, line.u);
     const Rgb colour = styleOf(line.kind, options_.palette).colour;
@@ -382,10 +365,8 @@ class Builder {
 
   const Sweep& sweep_;
   const SweepFigureOptions& options_;
-  const SceneColours& colours_;
   SweepAxes axes_;
   std::vector<BranchLabel> branchLabels_;
-  Figure figure_;
 };
 
 }  // namespace
