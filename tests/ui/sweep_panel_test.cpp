@@ -265,6 +265,24 @@ class SweepPanelTest : public QObject {
     QVERIFY(!panel_->source().isStale() && panel_->source().data() == now);
   }
 
+  // Views that change while it computes do not start it anew, so that it comes to an end.
+  void turningMeanwhileDoesNotHoldItUp() {
+    WindowDriver& d = *driver_;
+    Scene many = d.scene();
+    for (int i = 0; i < 3; ++i) many.curves.push_back(many.curves.front());
+    d.document().push(std::make_unique<ReplaceScene>(d.document(), many, "many"));
+    QElapsedTimer timer;
+    timer.start();
+    double turned = 0.0;
+    while (panel_->source().isStale() && timer.elapsed() < 20000) {
+      turned += 0.01;
+      d.document().push(std::make_unique<SetView>(d.document(), View{turned, std::nullopt}));
+      QTest::qWait(1);
+    }
+    QVERIFY(!panel_->source().isStale());
+    QCOMPARE(panel_->source().data()->lengths.size(), std::size_t{4});
+  }
+
   void perspectiveIsSaidToBeAnotherMatter() {
     WindowDriver& d = *driver_;
     QVERIFY(!d.child<QLabel>("sweep.state").text().contains("perspective"));

@@ -44,6 +44,7 @@ LimitsPanel::LimitsPanel(const CanvasModels& models, QWidget* parent)
       models_(models),
       turner_(models.document, models.stage),
       view_(new LimitsView(models.display, this)) {
+  setObjectName("limits.panel");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 2);
   layout->setSpacing(3);

@@ -36,6 +36,7 @@ double scaleAt(int slide) {
 
 StudyPanel::StudyPanel(const CanvasModels& models, QWidget* parent)
     : QWidget(parent), models_(models), view_(new StudyView(source_, models.display, this)) {
+  setObjectName("study.panel");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 2);
   layout->setSpacing(3);

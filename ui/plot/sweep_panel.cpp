@@ -26,6 +26,7 @@ SweepPanel::SweepPanel(const CanvasModels& models, QWidget* parent)
       source_(models.document),
       player_(models.document, models.stage),
       view_(new SweepView(models, source_, this)) {
+  setObjectName("sweep.panel");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 2);
   layout->setSpacing(3);

@@ -64,8 +64,8 @@ void SweepSource::setActive(bool active) {
 
 void SweepSource::follow(const Change& change) {
   if (!change.touchesScene()) return;
-  const bool known = data_ && !waiting_ && !job_.isRunning();
-  if (change.what == Change::What::View && known && sameButView(data_->scene, document_.scene())) {
+  // Also while it is being computed, or an animation would start it anew with every frame.
+  if (change.what == Change::What::View && !waiting_ && sameButView(started_, document_.scene())) {
     return;
   }
   waiting_ = true;
@@ -75,13 +75,14 @@ void SweepSource::follow(const Change& change) {
 
 void SweepSource::start() {
   waiting_ = false;
+  started_ = document_.scene();
   using Data = std::shared_ptr<const SweepData>;
   const auto show = [this](const Data& data) {
     data_ = data;
     emit changed();
   };
   job_.start<Data>(
-      [scene = document_.scene(), show](const JobControl& control) -> std::optional<Data> {
+      [scene = started_, show](const JobControl& control) -> std::optional<Data> {
         auto first = std::make_shared<SweepData>();
         first->scene = scene;
         first->sweep = sweepOf(scene);

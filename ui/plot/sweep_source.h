@@ -50,6 +50,7 @@ class SweepSource : public QObject {
   const Document& document_;
   Job job_;
   std::shared_ptr<const SweepData> data_;
+  Scene started_;  ///< of the last start
   bool active_ = false;
   bool waiting_ = true;  ///< the scene has changed since the last start
 };
