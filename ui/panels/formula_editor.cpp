@@ -60,7 +60,6 @@ FormulaEditor::Field FormulaEditor::addField(const QString& id, const QString& l
   auto* error = new QLabel(this);
   error->setObjectName("curve.error." + id);
   error->setWordWrap(true);
-  error->setForegroundRole(QPalette::BrightText);
   error->hide();
   form->addRow(label, edit);
   form->addRow(QString(), error);
