@@ -61,9 +61,8 @@ QString CurvePanel::description(const Curve& curve) const {
   QString text = coreWords(kindName(curve));
   if (degreeOf(curve) > 0) text += tr(", degree %1").arg(degreeOf(curve));
   text += isClosed(curve) ? tr(", closed") : tr(", open");
-  if (!controlPoints(curve).empty())
-    text += tr(", %n points", "", static_cast<int>(controlPoints(curve).size()));
-  return text + tr(", %n pieces", "", pieceCount(curve));
+  if (!controlPoints(curve).empty()) text += tr(", points: %1").arg(controlPoints(curve).size());
+  return text + tr(", pieces: %1").arg(pieceCount(curve));
 }
 
 void CurvePanel::refresh() {
@@ -179,8 +178,8 @@ void CurvePanel::convert() {
   models_.document.push(std::make_unique<ReplaceCurve>(models_.document, *current, std::move(chain),
                                                        tr("convert curve")));
   emit said(
-      exact ? tr("Converted exactly to %n Bezier pieces.", "", pieces)
-            : tr("Converted to %n cubic pieces, within %1.", "", pieces).arg(tolerance, 0, 'g', 2));
+      exact ? tr("Converted exactly; Bezier pieces: %1.").arg(pieces)
+            : tr("Converted within %1; cubic pieces: %2.").arg(tolerance, 0, 'g', 2).arg(pieces));
 }
 
 }  // namespace flatland::ui
