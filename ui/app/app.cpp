@@ -7,6 +7,7 @@
 #include <QFontInfo>
 #include <QPixmap>
 #include <QSettings>
+#include <QThreadPool>
 #include <QTimer>
 #include <QWindow>
 #include <algorithm>
@@ -50,6 +51,19 @@ void waitUntilPainted(QWidget& window) {
   // Docks settle in the events that follow.
   QCoreApplication::processEvents();
   QCoreApplication::sendPostedEvents();
+}
+
+/// Lets work that goes on beside the window (the sweep, for example) come to its end and be shown.
+void waitForWork() {
+  QElapsedTimer timer;
+  timer.start();
+  constexpr int kQuietMs = 150;
+  QElapsedTimer quiet;
+  quiet.start();
+  while (timer.elapsed() < kPaintTimeoutMs && quiet.elapsed() < kQuietMs) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    if (QThreadPool::globalInstance()->activeThreadCount() > 0) quiet.restart();
+  }
 }
 
 [[noreturn]] void refuse(const char* option, const std::string& name, const QStringList& known) {
@@ -113,6 +127,7 @@ int takeShot(int& argc, char** argv, const Shot& shot) {
   for (const std::string& panel : shot.show) window.docks().show(panel.c_str());
   waitUntilPainted(window);
   window.canvas().fit();
+  waitForWork();
   QByteArray png;
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);

@@ -10,7 +10,9 @@ namespace {
 
 constexpr int kSideWidth = 400;
 constexpr int kBottomHeight = 190;
-constexpr int kTitleHeight = 24;  ///< of a dock, about
+constexpr int kTitleHeight = 26;  ///< of a dock, with the separator below it
+constexpr int kTabsHeight = 30;
+constexpr int kBarsHeight = 44;  ///< menu and status line
 
 Qt::DockWidgetArea areaOf(Docks::Group group) {
   return group == Docks::Group::Bottom ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea;
@@ -71,17 +73,21 @@ void Docks::arrangeOnly(const QStringList& ids) {
   }
   QList<QDockWidget*> column;  // one of each row at the right
   QList<int> heights;
-  int rest = window_.height();
+  int rest = window_.height() - kBarsHeight;
   for (const Group group : {Group::Top, Group::Side, Group::Plots, Group::Bottom}) {
     QDockWidget* front = nullptr;
+    QDockWidget* first = nullptr;
     for (QDockWidget* dock : inGroup(group)) {
-      if (!ids.contains(dock->objectName())) continue;
-      if (front && group != Group::Top) {
-        window_.tabifyDockWidget(front, dock);
+      // Closed ones have their place too: a saved arrangement knows only docks that have one.
+      if (first && group != Group::Top) {
+        window_.tabifyDockWidget(first, dock);
       } else {
         window_.addDockWidget(areaOf(group), dock);
+        first = dock;
       }
-      dock->show();
+      const bool open = ids.contains(dock->objectName());
+      dock->setVisible(open);
+      if (!open) continue;
       if (!front || group == Group::Top) {
         front = dock;
         if (group == Group::Bottom) continue;
@@ -92,6 +98,10 @@ void Docks::arrangeOnly(const QStringList& ids) {
     }
     if (!front) continue;
     front->raise();
+    if (group == Group::Side) {
+      heights.back() += kTabsHeight;
+      rest -= kTabsHeight;
+    }
     if (group == Group::Bottom) window_.resizeDocks({front}, {kBottomHeight}, Qt::Vertical);
   }
   if (column.isEmpty()) return;

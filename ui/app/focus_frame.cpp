@@ -4,8 +4,6 @@
 #include <QApplication>
 #include <QPainter>
 #include <QPalette>
-#include <QPointer>
-#include <QScrollArea>
 
 namespace flatland::ui {
 
@@ -25,8 +23,7 @@ class Frame : public QFocusFrame {
 
 }  // namespace
 
-FocusFrame::FocusFrame(QObject* parent) : QObject(parent), frame_(new Frame) {
-  frame_->setObjectName("focus-frame");
+FocusFrame::FocusFrame(QObject* parent) : QObject(parent) {
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
 }
 
@@ -35,8 +32,12 @@ FocusFrame::~FocusFrame() { delete frame_; }
 void FocusFrame::follow(QWidget* now) {
   const bool byKeyboard = now && now->window()->testAttribute(Qt::WA_KeyboardFocusChange);
   if (!byKeyboard || now->property("drawsFocus").toBool() || now->isWindow()) {
-    frame_->setWidget(nullptr);
+    if (frame_) frame_->setWidget(nullptr);
     return;
+  }
+  if (!frame_) {
+    frame_ = new Frame;
+    frame_->setObjectName("focus-frame");
   }
   frame_->setWidget(now);
 }

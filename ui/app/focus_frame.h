@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFocusFrame>
+#include <QPointer>
 
 namespace flatland::ui {
 
@@ -17,7 +18,7 @@ class FocusFrame : public QObject {
  private:
   void follow(QWidget* now);
 
-  QFocusFrame* frame_;
+  QPointer<QFocusFrame> frame_;  ///< it goes with the parent of the widget it is around
 };
 
 }  // namespace flatland::ui

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/key_sheet.h"
 
-#include <QCoreApplication>
+#include <QAction>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <vector>
 
@@ -21,7 +26,8 @@ struct Section {
   std::vector<Line> lines;
 };
 
-std::vector<Section> leftColumn() {
+/// What the mouse does, and the keys that belong to the canvas and are in no menu.
+std::vector<Section> gestures() {
   return {
       {KeySheet::tr("Points"),
        {{KeySheet::tr("Drag"), KeySheet::tr("Move the point, or the whole curve")},
@@ -34,51 +40,51 @@ std::vector<Section> leftColumn() {
         {KeySheet::tr("Arrow keys"), KeySheet::tr("Move the selected points")},
         {KeySheet::tr("Shift + arrow"), KeySheet::tr("Ten times as far")},
         {KeySheet::tr("Ctrl or Alt + arrow"), KeySheet::tr("A tenth as far")},
-        {KeySheet::tr("Delete"), KeySheet::tr("Remove the selected points")},
-        {KeySheet::tr("Esc"), KeySheet::tr("Take back a drag; deselect; no probe")}}},
-      {KeySheet::tr("Curves"),
-       {{KeySheet::tr("Ctrl + Shift + A"), KeySheet::tr("Add a curve")},
-        {KeySheet::tr("Ctrl + D"), KeySheet::tr("Raise the degree")},
-        {KeySheet::tr("N"), KeySheet::tr("Flip the normal")},
-        {KeySheet::tr("Ctrl + R"), KeySheet::tr("Reset")}}},
-  };
-}
-
-std::vector<Section> rightColumn() {
-  return {
+        {KeySheet::tr("Esc"),
+         KeySheet::tr("Take back a drag; deselect; no probe; leave projector")}}},
       {KeySheet::tr("Viewer"),
        {{KeySheet::tr("Drag the eye"), KeySheet::tr("Turn the view")},
         {KeySheet::tr("Shift + drag"), KeySheet::tr("In steps of 15°")},
-        {KeySheet::tr("Ctrl + drag"), KeySheet::tr("Keep the distance (perspective)")},
-        {KeySheet::tr("1 2 3 4"), KeySheet::tr("View from 0°, 90°, 180°, 270°")},
-        {KeySheet::tr("P"), KeySheet::tr("Perspective on or off")}}},
+        {KeySheet::tr("Ctrl + drag"), KeySheet::tr("Keep the distance (perspective)")}}},
       {KeySheet::tr("Picture"),
-       {{KeySheet::tr("Wheel, pinch"), KeySheet::tr("Zoom at the pointer")},
+       {{KeySheet::tr("Wheel, pinch, Ctrl + wheel"), KeySheet::tr("Zoom at the pointer")},
         {KeySheet::tr("Middle button, Space + drag"), KeySheet::tr("Move the picture")},
-        {KeySheet::tr("Two fingers on a trackpad"), KeySheet::tr("Move the picture")},
-        {KeySheet::tr("F"), KeySheet::tr("Fit the scene")},
-        {KeySheet::tr("C"), KeySheet::tr("Control polygon on or off")},
-        {KeySheet::tr("D"), KeySheet::tr("Hidden parts on or off")},
-        {KeySheet::tr("F6"), KeySheet::tr("Focus to the next panel")}}},
+        {KeySheet::tr("Two fingers on a trackpad"), KeySheet::tr("Move the picture")}}},
       {KeySheet::tr("Probe and plots"),
-       {{KeySheet::tr("Click on the curve, K"), KeySheet::tr("Put the probe there")},
+       {{KeySheet::tr("Click on the curve"), KeySheet::tr("Put the probe there")},
         {KeySheet::tr("Drag the ring"), KeySheet::tr("Slide it along the curve")},
-        {KeySheet::tr(", and ."), KeySheet::tr("Back, forward; Shift ten times")},
-        {KeySheet::tr("M, Shift + M"), KeySheet::tr("Next, previous mark")},
-        {KeySheet::tr("[ and ]"), KeySheet::tr("Shorter, longer comb")},
         {KeySheet::tr("+ − 0 in a plot"), KeySheet::tr("Zoom, show all")}}},
       {KeySheet::tr("Sweep panel"),
        {{KeySheet::tr("Left, Right"), KeySheet::tr("Turn the view by 1°")},
         {KeySheet::tr("Shift, Ctrl + the same"), KeySheet::tr("By 0.1°, to the next event")},
         {KeySheet::tr("Space"), KeySheet::tr("Turn once around; Esc goes back")}}},
-      {KeySheet::tr("Files and steps"),
-       {{KeySheet::tr("Ctrl + N, O, S"), KeySheet::tr("New, open, save")},
-        {KeySheet::tr("Ctrl + Shift + S"), KeySheet::tr("Save as")},
-        {KeySheet::tr("Ctrl + E"), KeySheet::tr("Export the picture")},
-        {KeySheet::tr("Ctrl + Z"), KeySheet::tr("Undo")},
-        {KeySheet::tr("Ctrl + Shift + Z, Ctrl + Y"), KeySheet::tr("Redo")},
-        {KeySheet::tr("H, ?"), KeySheet::tr("This sheet")}}},
   };
+}
+
+QString plainText(QString text) { return text.remove('&').remove(QStringLiteral("…")); }
+
+/// The keys of a menu, its menus included, as the actions have them: so the sheet cannot go stale.
+void addLines(const QMenu& menu, std::vector<Line>& lines) {
+  for (const QAction* action : menu.actions()) {
+    if (action->menu()) addLines(*action->menu(), lines);
+    QStringList keys;
+    for (const QKeySequence& key : action->shortcuts()) {
+      const QString text = key.toString(QKeySequence::NativeText);
+      if (!keys.contains(text)) keys << text;
+    }
+    if (!keys.isEmpty()) lines.push_back({keys.join(", "), plainText(action->text())});
+  }
+}
+
+std::vector<std::vector<Section>> columnsOf(const QMainWindow& window) {
+  std::vector<std::vector<Section>> columns{gestures(), {}, {}};
+  for (const QAction* entry : window.menuBar()->actions()) {
+    Section section{plainText(entry->text()), {}};
+    addLines(*entry->menu(), section.lines);
+    const bool view = entry->menu()->objectName() == QLatin1String("menu.view");
+    if (!section.lines.empty()) columns[view ? 2 : 1].push_back(std::move(section));
+  }
+  return columns;
 }
 
 QWidget* makeColumn(const std::vector<Section>& sections) {
@@ -105,18 +111,32 @@ QWidget* makeColumn(const std::vector<Section>& sections) {
 
 }  // namespace
 
-KeySheet::KeySheet(QWidget* parent) : QDialog(parent) {
+KeySheet::KeySheet(QMainWindow* window) : QDialog(window) {
   setObjectName("keys");
   setWindowTitle(tr("Keys and gestures"));
-  auto* columns = new QHBoxLayout;
+  auto* sheet = new QWidget;
+  auto* columns = new QHBoxLayout(sheet);
   columns->setSpacing(28);
-  columns->addWidget(makeColumn(leftColumn()));
-  columns->addWidget(makeColumn(rightColumn()));
+  for (const std::vector<Section>& column : columnsOf(*window)) {
+    columns->addWidget(makeColumn(column));
+  }
+  auto* area = new QScrollArea(this);
+  area->setObjectName("keys.sheet");
+  area->setAccessibleName(windowTitle());
+  area->setToolTip(tr("H, ? and Esc close this sheet"));
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setWidget(sheet);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  QPushButton* close = buttons->button(QDialogButtonBox::Close);
+  close->setObjectName("keys.close");
+  close->setToolTip(area->toolTip());
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);
-  layout->addLayout(columns);
+  layout->addWidget(area);
   layout->addWidget(buttons);
+  const QSize wanted = sheet->sizeHint() + QSize(40, 80);
+  resize(wanted.boundedTo({1240, 740}));
 }
 
 void KeySheet::keyPressEvent(QKeyEvent* event) {

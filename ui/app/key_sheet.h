@@ -3,15 +3,17 @@
 
 #include <QDialog>
 
+class QMainWindow;
+
 namespace flatland::ui {
 
-/// All keys and mouse gestures on one sheet, which may stay open beside the work. H, ? and Esc
-/// close it.
+/// All keys, as the menus of the window have them, and mouse gestures on one sheet, which may stay
+/// open beside the work. H, ? and Esc close it.
 class KeySheet : public QDialog {
   Q_OBJECT
 
  public:
-  explicit KeySheet(QWidget* parent);
+  explicit KeySheet(QMainWindow* window);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

@@ -63,14 +63,16 @@ void Layouts::use(Kind kind) {
   if (kind == Kind::Projector) {
     beforeProjector_ = current_;
     geometry_ = window_.saveGeometry();
+    place_ = window_.geometry();
+    windowState_ = window_.windowState();
   }
   current_ = kind;
   display_.setProjector(kind == Kind::Projector);
   leave_->setVisible(kind == Kind::Projector);
   if (kind == Kind::Projector) window_.showFullScreen();
   if (wasProjector) {
-    window_.showNormal();
-    window_.restoreGeometry(geometry_);
+    window_.setWindowState(windowState_);
+    if (!(windowState_ & Qt::WindowMaximized)) window_.setGeometry(place_);
   }
   enter(kind);
   emit changed();

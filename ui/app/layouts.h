@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QMap>
 #include <QObject>
+#include <QRect>
 #include <optional>
 
 class QMainWindow;
@@ -65,7 +66,9 @@ class Layouts : public QObject {
   QToolButton* leave_;  ///< says, in projector mode, how to leave it
   Kind current_ = Kind::Work;
   Kind beforeProjector_ = Kind::Work;
-  QByteArray geometry_;  ///< of the window before projector mode
+  QByteArray geometry_;  ///< of the window before projector mode, for the settings
+  QRect place_;
+  Qt::WindowStates windowState_;
   QMap<Kind, QByteArray> states_;
 };
 

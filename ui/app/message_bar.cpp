@@ -20,6 +20,8 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this
   const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
   symbol->setPixmap(style()->standardIcon(QStyle::SP_MessageBoxWarning).pixmap(size, size));
   label_->setObjectName("message.text");
+  label_->setAccessibleName(tr("Message"));
+  label_->setToolTip(tr("What went wrong; the text can be selected"));
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);

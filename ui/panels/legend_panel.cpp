@@ -34,7 +34,8 @@ QLabel* letterLabel(MarkKind kind) {
 LegendPanel::LegendPanel(const Document& document, Display& display, QWidget* parent)
     : QWidget(parent), document_(document), display_(display) {
   auto* grid = new QGridLayout(this);
-  grid->setVerticalSpacing(3);
+  grid->setVerticalSpacing(2);
+  grid->setContentsMargins(9, 4, 9, 4);
   grid->setHorizontalSpacing(8);
   grid->setColumnStretch(0, 1);
   int row = 0;
@@ -59,7 +60,7 @@ LegendPanel::LegendPanel(const Document& document, Display& display, QWidget* pa
   hidden_->setObjectName("legend.hidden");
   hidden_->setToolTip(tr("Show what lies behind the curve as seen from the viewer"));
   connect(hidden_, &QCheckBox::toggled, &display_, &Display::setShowsHidden);
-  grid->setRowMinimumHeight(row, 6);
+  grid->setRowMinimumHeight(row, 4);
   grid->addWidget(hidden_, row + 1, 0, 1, 3);
   grid->setRowStretch(row + 2, 1);
 

@@ -51,7 +51,8 @@ ViewPanel::ViewPanel(Document& document, const Stage& stage, QWidget* parent)
   distance_->setAccessibleName(tr("Distance of the viewer"));
 
   auto* grid = new QGridLayout(this);
-  grid->setVerticalSpacing(6);
+  grid->setVerticalSpacing(4);
+  grid->setContentsMargins(9, 4, 9, 4);
   grid->addWidget(angleLabel, 0, 0);
   grid->addWidget(angle_, 0, 1);
   auto* quarters = new QHBoxLayout;

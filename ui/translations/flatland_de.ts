@@ -5,1518 +5,2020 @@
     <name>AddCurve</name>
     <message>
         <source>add curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve hinzufügen</translation>
     </message>
 </context>
 <context>
     <name>Core</name>
     <message>
         <source>Thesis figure 3-4</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbildung 3-4 der Arbeit</translation>
     </message>
     <message>
         <source>Five control points, seen from the right: silhouettes, ridges, a valley, inflections and apparent ridges on one curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fünf Kontrollpunkte, von rechts gesehen: Silhouetten, Grate, ein Tal, Wendepunkte und scheinbare Grate auf einer Kurve.</translation>
     </message>
     <message>
         <source>Almost a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Fast ein Kreis</translation>
     </message>
     <message>
         <source>The four-piece circle of drawing programs: its curvature wavers by three per cent, and so it has ridges that a circle has not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kreis der Zeichenprogramme aus vier Stücken: Seine Krümmung schwankt um drei Prozent, und so hat er Grate, die ein Kreis nicht hat.</translation>
     </message>
     <message>
         <source>S-curve</source>
-        <translation type="unfinished"></translation>
+        <translation>S-Kurve</translation>
     </message>
     <message>
         <source>A cubic with one inflection; turn the view until the silhouettes meet in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kubik mit einem Wendepunkt; drehen Sie die Ansicht, bis die Silhouetten in ihm zusammentreffen.</translation>
     </message>
     <message>
         <source>Bump</source>
-        <translation type="unfinished"></translation>
+        <translation>Beule</translation>
     </message>
     <message>
         <source>A bump on a plain, seen from straight above: the foot of the bump shows where the offset term moves an apparent ridge away from the ridge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Beule auf einer Ebene, genau von oben gesehen: Am Fuß der Beule zeigt sich, wo der Versatzterm einen scheinbaren Grat vom Grat fortrückt.</translation>
     </message>
     <message>
         <source>Cusp</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze</translation>
     </message>
     <message>
         <source>A cubic whose speed vanishes at t = 1/2: the tangent turns back, a corner of 180 degrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kubik, deren Geschwindigkeit bei t = 1/2 verschwindet: Die Tangente kehrt um, eine Ecke von 180 Grad.</translation>
     </message>
     <message>
         <source>Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleife</translation>
     </message>
     <message>
         <source>A curve that crosses itself and hides part of itself from the screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kurve, die sich selbst kreuzt und einen Teil von sich vor dem Schirm verdeckt.</translation>
+    </message>
+    <message>
+        <source>seen from %1</source>
+        <translation>gesehen von %1</translation>
+    </message>
+    <message>
+        <source>at distance %1</source>
+        <translation>Abstand %1</translation>
+    </message>
+    <message>
+        <source>paler: hidden</source>
+        <translation>blasser: verdeckt</translation>
+    </message>
+    <message>
+        <source>Silhouette</source>
+        <translation>Silhouette</translation>
+    </message>
+    <message>
+        <source>Inflection</source>
+        <translation>Wendepunkt</translation>
+    </message>
+    <message>
+        <source>Ridge</source>
+        <translation>Grat</translation>
+    </message>
+    <message>
+        <source>Valley</source>
+        <translation>Tal</translation>
+    </message>
+    <message>
+        <source>Flat point</source>
+        <translation>Flachpunkt</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Apparent ridge</source>
+        <translation>Scheinbarer Grat</translation>
+    </message>
+    <message>
+        <source>Apparent minimum</source>
+        <translation>Scheinbares Minimum</translation>
     </message>
 </context>
 <context>
     <name>EditMenus</name>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig:</translation>
     </message>
     <message>
         <source>Take back the last step</source>
-        <translation type="unfinished"></translation>
+        <translation>Den letzten Schritt zurücknehmen</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen:</translation>
     </message>
     <message>
         <source>Do the step again that was taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>Den zurückgenommenen Schritt noch einmal tun</translation>
     </message>
     <message>
         <source>&amp;Delete Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte &amp;löschen</translation>
     </message>
     <message>
         <source>Remove the selected points</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ausgewählten Punkte entfernen</translation>
     </message>
     <message>
         <source>Select &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles auswählen</translation>
     </message>
     <message>
         <source>Select all points</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Punkte auswählen</translation>
     </message>
     <message>
         <source>&amp;Add Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve &amp;hinzufügen</translation>
     </message>
     <message>
         <source>Add a curve in the middle of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kurve in der Mitte des Bildes hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Remove Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve &amp;entfernen</translation>
     </message>
     <message>
         <source>Remove the curve picked last</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zuletzt gewählte Kurve entfernen</translation>
     </message>
     <message>
         <source>Raise &amp;Degree</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Grad erhöhen</translation>
     </message>
     <message>
         <source>One control point more in every piece; the shape stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kontrollpunkt mehr in jedem Stück; die Form bleibt</translation>
     </message>
     <message>
         <source>&amp;Flip Normal</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Normale umkehren</translation>
     </message>
     <message>
         <source>Turn the normal round: ridges and valleys change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Normale umkehren: Grate und Täler tauschen die Plätze</translation>
     </message>
     <message>
         <source>Re&amp;set</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
         <source>Back to where this scene began</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum Anfang dieser Szene</translation>
     </message>
     <message>
         <source>Re&amp;set to File as Opened</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück zur Datei, wie sie geöffnet wurde</translation>
     </message>
     <message>
         <source>Re&amp;set to Preset “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück zum Beispiel „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>FigureFiles</name>
+    <message>
+        <source>the name should end in .svg, .pdf, .png, .tex or .csv</source>
+        <translation>der Name sollte auf .svg, .pdf, .png, .tex oder .csv enden</translation>
+    </message>
+    <message>
+        <source>SVG picture (*.svg)</source>
+        <translation>SVG-Bild (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF picture (*.pdf)</source>
+        <translation>PDF-Bild (*.pdf)</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>TikZ picture (*.tex)</source>
+        <translation>TikZ-Bild (*.tex)</translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation>CSV-Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export diagram</source>
+        <translation>Diagramm exportieren</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportiert nach %1</translation>
     </message>
 </context>
 <context>
     <name>FileMenu</name>
     <message>
         <source>%1 (gone)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (nicht mehr da)</translation>
     </message>
     <message>
         <source>No recent files</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine zuletzt geöffneten Dateien</translation>
     </message>
     <message>
         <source>&amp;Clear List</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste &amp;leeren</translation>
     </message>
     <message>
         <source>Forget all recent files</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle zuletzt geöffneten Dateien vergessen</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu</translation>
     </message>
     <message>
         <source>Start over with the first preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu anfangen mit dem ersten Beispiel</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>Open a scene file</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Szenendatei öffnen</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>&amp;Presets</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;ispiele</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene speichern</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>Save the scene under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene unter anderem Namen speichern</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren …</translation>
     </message>
     <message>
         <source>Write the picture as SVG, PDF, PNG or TikZ</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild als SVG, PDF, PNG oder TikZ schreiben</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Close the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster schließen</translation>
     </message>
 </context>
 <context>
     <name>FlatCanvas</name>
     <message>
         <source>Nothing here yet. Curve &gt; Add Curve draws one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist noch nichts. Kurve &gt; Kurve hinzufügen zeichnet eine.</translation>
     </message>
 </context>
 <context>
     <name>FlipNormal</name>
     <message>
         <source>flip normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Normale umkehren</translation>
     </message>
 </context>
 <context>
     <name>Gesture</name>
     <message>
         <source>Drag to move the viewer; Shift steps by 15°, Ctrl keeps the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen bewegt den Betrachter; Umschalt geht in Schritten von 15°, Strg hält den Abstand.</translation>
     </message>
     <message>
         <source>Drag to turn the view; Shift steps by 15°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen dreht die Ansicht; Umschalt geht in Schritten von 15°.</translation>
     </message>
     <message>
         <source>Point %1 at (%2): drag to move it, Delete removes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt %1 bei (%2): Ziehen bewegt ihn, Entf entfernt ihn.</translation>
     </message>
     <message>
         <source>%1 at t = %2%3: click to find it in the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bei t = %2%3: ein Klick findet die Zeile in der Tabelle.</translation>
     </message>
     <message>
         <source>, hidden from the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>, vom Schirm aus verdeckt</translation>
     </message>
     <message>
         <source>Double-click to insert a point here; drag to move the whole curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick fügt hier einen Punkt ein; Ziehen bewegt die ganze Kurve.</translation>
     </message>
     <message>
         <source>Drag a point to bend the curve, or the eye to turn the view. H shows all keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie einen Punkt, um die Kurve zu biegen, oder das Auge, um die Ansicht zu drehen. H zeigt alle Tasten.</translation>
     </message>
     <message>
         <source>Moving %1 by (%2). Ctrl: along one axis. Alt: leave the handles. Esc: take it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt %1 um (%2). Strg: entlang einer Achse. Alt: ohne die Griffe. Esc: zurücknehmen.</translation>
     </message>
     <message>
         <source>the point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 points selected. Shift: add to the selection. Esc: take it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>den Punkt</translation>
     </message>
     <message>
         <source>Marks follow from the curve and the view; the table tells this one&apos;s values.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken folgen aus Kurve und Ansicht; die Tabelle nennt die Werte dieser Marke.</translation>
     </message>
     <message>
         <source>Moving the viewer. Shift: steps of 15°. Ctrl: same distance. Esc: take it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt den Betrachter. Umschalt: Schritte von 15°. Strg: gleicher Abstand. Esc: zurücknehmen.</translation>
     </message>
     <message>
         <source>Turning the view. Shift: steps of 15°. Esc: take it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreht die Ansicht. Umschalt: Schritte von 15°. Esc: zurücknehmen.</translation>
     </message>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>   distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>   Abstand %1</translation>
     </message>
     <message>
         <source>Moving the picture. F: fit it into the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt das Bild. F: ins Fenster einpassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points selected. Shift: add to the selection. Esc: take it back.</source>
+        <translation>
+            <numerusform>%n Punkt ausgewählt. Umschalt: zur Auswahl hinzufügen. Esc: zurücknehmen.</numerusform>
+            <numerusform>%n Punkte ausgewählt. Umschalt: zur Auswahl hinzufügen. Esc: zurücknehmen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>InsertPoint</name>
     <message>
         <source>insert point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt einfügen</translation>
     </message>
 </context>
 <context>
     <name>LayoutMenu</name>
     <message>
         <source>&amp;Work</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Arbeit</translation>
     </message>
     <message>
         <source>Canvas and all panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichenfläche und alle Bereiche</translation>
     </message>
     <message>
         <source>&amp;Picture-Making</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bild</translation>
     </message>
     <message>
         <source>The canvas alone, with what an export needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichenfläche allein, mit dem, was ein Export braucht</translation>
     </message>
     <message>
         <source>P&amp;rojector</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Projektor</translation>
     </message>
     <message>
         <source>Full screen, large type, few panels; Esc leaves it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzer Bildschirm, große Schrift, wenige Bereiche; Esc beendet ihn</translation>
     </message>
     <message>
         <source>R&amp;estore Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereiche &amp;zurücksetzen</translation>
     </message>
     <message>
         <source>The panels of this layout back to their places</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bereiche dieser Anordnung zurück an ihre Plätze</translation>
     </message>
     <message>
         <source>&amp;Larger</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Größer</translation>
     </message>
     <message>
         <source>Larger type, marks and lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Größere Schrift, Marken und Linien</translation>
     </message>
     <message>
         <source>&amp;Smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kleiner</translation>
     </message>
     <message>
         <source>Smaller type, marks and lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinere Schrift, Marken und Linien</translation>
     </message>
     <message>
         <source>&amp;Usual Size</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Übliche Größe</translation>
     </message>
     <message>
         <source>Type, marks and lines as on the first day</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrift, Marken und Linien wie am ersten Tag</translation>
     </message>
     <message>
         <source>&amp;System</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;System</translation>
     </message>
     <message>
         <source>The colours of the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Farben des Schreibtischs</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hell</translation>
     </message>
     <message>
         <source>Dark on light</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel auf hell</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkel</translation>
     </message>
     <message>
         <source>Light on dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell auf dunkel</translation>
     </message>
     <message>
         <source>&amp;High Contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoher &amp;Kontrast</translation>
     </message>
     <message>
         <source>White on black, yellow for what is picked</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiß auf Schwarz, Gelb für Ausgewähltes</translation>
     </message>
     <message>
         <source>The language of the window, from its next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprache des Fensters, ab seinem nächsten Start</translation>
     </message>
     <message>
         <source>&amp;Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anordnung</translation>
     </message>
     <message>
         <source>&amp;Size</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Darstellungsgröße</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Farben</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sprache</translation>
     </message>
     <message>
         <source>&amp;Wheel Zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mausrad zoomt</translation>
     </message>
     <message>
         <source>A mouse wheel zooms; off: it moves the picture, and Ctrl + wheel zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Mausrad zoomt; aus: es bewegt das Bild, und Strg + Mausrad zoomt</translation>
+    </message>
+</context>
+<context>
+    <name>LimitsWords</name>
+    <message>
+        <source>λ</source>
+        <translation>λ</translation>
+    </message>
+    <message>
+        <source>|feature|</source>
+        <translation>|Merkmal|</translation>
+    </message>
+    <message>
+        <source>|offset|</source>
+        <translation>|Versatz|</translation>
+    </message>
+    <message>
+        <source>|offset| / |feature|</source>
+        <translation>|Versatz| / |Merkmal|</translation>
+    </message>
+    <message>
+        <source>apparent ridge to the merging</source>
+        <translation>scheinbarer Grat bis zur Verschmelzung</translation>
+    </message>
+    <message>
+        <source>silhouette to the merging</source>
+        <translation>Silhouette bis zur Verschmelzung</translation>
+    </message>
+    <message>
+        <source>|n·w|</source>
+        <translation>|n·w|</translation>
+    </message>
+    <message>
+        <source>arc length to the silhouette</source>
+        <translation>Bogenlänge bis zur Silhouette</translation>
+    </message>
+    <message>
+        <source>angle to the merging, radians</source>
+        <translation>Winkel bis zur Verschmelzung, Bogenmaß</translation>
     </message>
 </context>
 <context>
     <name>MarkWords</name>
     <message>
         <source>Silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette</translation>
     </message>
     <message>
         <source>Silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouetten</translation>
     </message>
     <message>
         <source>The line of sight touches the curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sehlinie berührt die Kurve.</translation>
     </message>
     <message>
         <source>Inflection</source>
-        <translation type="unfinished"></translation>
+        <translation>Wendepunkt</translation>
     </message>
     <message>
         <source>Inflections</source>
-        <translation type="unfinished"></translation>
+        <translation>Wendepunkte</translation>
     </message>
     <message>
         <source>The curvature changes sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Krümmung wechselt das Vorzeichen.</translation>
     </message>
     <message>
         <source>Ridge</source>
-        <translation type="unfinished"></translation>
+        <translation>Grat</translation>
     </message>
     <message>
         <source>Ridges</source>
-        <translation type="unfinished"></translation>
+        <translation>Grate</translation>
     </message>
     <message>
         <source>The curve bulges most to the side of its normal: a positive maximum of curvature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kurve wölbt sich am meisten zur Seite ihrer Normale: ein positives Maximum der Krümmung.</translation>
     </message>
     <message>
         <source>Valley</source>
-        <translation type="unfinished"></translation>
+        <translation>Tal</translation>
     </message>
     <message>
         <source>Valleys</source>
-        <translation type="unfinished"></translation>
+        <translation>Täler</translation>
     </message>
     <message>
         <source>The curve bulges most away from its normal: a negative minimum of curvature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kurve wölbt sich am meisten von ihrer Normale weg: ein negatives Minimum der Krümmung.</translation>
     </message>
     <message>
         <source>Flat point</source>
-        <translation type="unfinished"></translation>
+        <translation>Flachpunkt</translation>
     </message>
     <message>
         <source>Flat points</source>
-        <translation type="unfinished"></translation>
+        <translation>Flachpunkte</translation>
     </message>
     <message>
         <source>The curve is least curved here without being straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kurve ist hier am wenigsten gekrümmt, ohne gerade zu sein.</translation>
     </message>
     <message>
         <source>Corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke</translation>
     </message>
     <message>
         <source>Corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken</translation>
     </message>
     <message>
         <source>The tangent jumps: a kink or a cusp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tangente springt: ein Knick oder eine Spitze.</translation>
     </message>
     <message>
         <source>Apparent ridge</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheinbarer Grat</translation>
     </message>
     <message>
         <source>Apparent ridges</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheinbare Grate</translation>
     </message>
     <message>
         <source>The curvature as seen on the screen, λ, has a maximum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Krümmung, wie der Schirm sie zeigt, λ, hat ein Maximum.</translation>
     </message>
     <message>
         <source>Apparent minimum</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheinbares Minimum</translation>
     </message>
     <message>
         <source>Apparent minima</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheinbare Minima</translation>
     </message>
     <message>
         <source>The curvature as seen on the screen, λ, has a minimum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Krümmung, wie der Schirm sie zeigt, λ, hat ein Minimum.</translation>
     </message>
 </context>
 <context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kurve</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tasten</translation>
     </message>
     <message>
         <source>All keys and mouse gestures on one sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten und Mausgesten auf einem Blatt</translation>
     </message>
     <message>
         <source>&amp;About Flatland</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;ber Flatland</translation>
     </message>
     <message>
         <source>What this program is</source>
-        <translation type="unfinished"></translation>
+        <translation>Was dieses Programm ist</translation>
     </message>
 </context>
 <context>
     <name>MovePoints</name>
     <message>
         <source>move point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt bewegen</translation>
     </message>
     <message>
         <source>move points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte bewegen</translation>
     </message>
 </context>
 <context>
     <name>Panels</name>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>Legend</source>
-        <translation type="unfinished"></translation>
+        <translation>Legende</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Rundblick</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzfälle</translation>
     </message>
 </context>
 <context>
     <name>PlacePoint</name>
     <message>
         <source>type coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten eintippen</translation>
     </message>
 </context>
 <context>
     <name>RaiseDegree</name>
     <message>
         <source>raise degree</source>
-        <translation type="unfinished"></translation>
+        <translation>Grad erhöhen</translation>
     </message>
 </context>
 <context>
     <name>RemoveCurve</name>
     <message>
         <source>remove curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve entfernen</translation>
     </message>
 </context>
 <context>
     <name>RemovePoints</name>
     <message>
         <source>remove points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>SceneSummary</name>
+    <message numerus="yes">
+        <source>%n curves</source>
+        <translation>
+            <numerusform>%n Kurve</numerusform>
+            <numerusform>%n Kurven</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n control points</source>
+        <translation>
+            <numerusform>%n Kontrollpunkt</numerusform>
+            <numerusform>%n Kontrollpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Seen from %1°.</source>
+        <translation>Gesehen von %1°.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks are hidden.</source>
+        <translation>
+            <numerusform>%n Marke ist verdeckt.</numerusform>
+            <numerusform>%n Marken sind verdeckt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>SetView</name>
     <message>
         <source>change projection</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektion ändern</translation>
     </message>
     <message>
         <source>turn view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht drehen</translation>
     </message>
 </context>
 <context>
     <name>ViewMenu</name>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einpassen</translation>
     </message>
     <message>
         <source>Show the whole scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Szene zeigen</translation>
     </message>
     <message>
         <source>Zoom &amp;In</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver&amp;größern</translation>
     </message>
     <message>
         <source>Show it larger</source>
-        <translation type="unfinished"></translation>
+        <translation>Größer zeigen</translation>
     </message>
     <message>
         <source>Zoom &amp;Out</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver&amp;kleinern</translation>
     </message>
     <message>
         <source>Show it smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleiner zeigen</translation>
     </message>
     <message>
         <source>View from %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von %1°</translation>
     </message>
     <message>
         <source>Put the viewer at %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Betrachter auf %1° stellen</translation>
     </message>
     <message>
         <source>&amp;Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Perspektive</translation>
     </message>
     <message>
         <source>The viewer stands at a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Betrachter steht in einem Abstand</translation>
     </message>
     <message>
         <source>&amp;Control Polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>K&amp;ontrollpolygon</translation>
     </message>
     <message>
         <source>Show the lines between the control points</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linien zwischen den Kontrollpunkten zeigen</translation>
     </message>
     <message>
         <source>&amp;Hidden Parts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verdeckte Teile</translation>
     </message>
     <message>
         <source>Show what the viewer cannot see, paler</source>
-        <translation type="unfinished"></translation>
+        <translation>Blasser zeigen, was der Betrachter nicht sieht</translation>
     </message>
     <message>
         <source>Pa&amp;nels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bereiche</translation>
     </message>
     <message>
         <source>Show or close this panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Bereich zeigen oder schließen</translation>
     </message>
     <message>
         <source>Ne&amp;xt Pane</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächster Bereich</translation>
     </message>
     <message>
         <source>Move the focus on: canvas, panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Fokus weitergeben: Zeichenfläche, Bereiche</translation>
     </message>
     <message>
         <source>Pre&amp;vious Pane</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor&amp;heriger Bereich</translation>
     </message>
     <message>
         <source>Move the focus back</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Fokus zurückgeben</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::EditController</name>
     <message>
         <source>Nothing is selected. Click a point or press Tab, then Delete.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts ist ausgewählt. Klicken Sie auf einen Punkt oder drücken Sie Tab, dann Entf.</translation>
     </message>
     <message>
         <source>The curve has degree %1 already, the highest that can be edited here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kurve hat schon Grad %1, den höchsten, der sich hier bearbeiten lässt.</translation>
     </message>
     <message>
         <source>reset</source>
-        <translation type="unfinished"></translation>
+        <translation>zurücksetzen</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::ExportDialog</name>
     <message>
         <source>Export picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild exportieren</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren …</translation>
     </message>
     <message>
         <source>Choose a file and write the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei wählen und das Bild schreiben</translation>
     </message>
     <message>
         <source>SVG and PDF stay sharp at any size; TikZ is for LaTeX</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG und PDF bleiben in jeder Größe scharf; TikZ ist für LaTeX</translation>
     </message>
     <message>
         <source>SVG, vector graphics</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG, Vektorgrafik</translation>
     </message>
     <message>
         <source>PDF, vector graphics</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF, Vektorgrafik</translation>
     </message>
     <message>
         <source>PNG, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, Pixel</translation>
     </message>
     <message>
         <source>TikZ, for LaTeX</source>
-        <translation type="unfinished"></translation>
+        <translation>TikZ, für LaTeX</translation>
     </message>
     <message>
         <source>Unit of width and height; 96 px are one inch</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit von Breite und Höhe; 96 px sind ein Zoll</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>px</source>
-        <translation type="unfinished"></translation>
+        <translation>px</translation>
     </message>
     <message>
         <source>Width of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite des Bildes</translation>
     </message>
     <message>
         <source>Height of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe des Bildes</translation>
     </message>
     <message>
         <source>Pixels per inch of a PNG file</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixel je Zoll einer PNG-Datei</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>&amp;Format</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Format</translation>
     </message>
     <message>
         <source>&amp;Width</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Breite</translation>
     </message>
     <message>
         <source>&amp;Height</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Höhe</translation>
     </message>
     <message>
         <source>&amp;Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;inheit</translation>
     </message>
     <message>
         <source>&amp;Dots per inch</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Punkte je Zoll</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>Letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Buchstaben</translation>
     </message>
     <message>
         <source>Name the marks by letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken mit Buchstaben benennen</translation>
     </message>
     <message>
         <source>Legend</source>
-        <translation type="unfinished"></translation>
+        <translation>Legende</translation>
     </message>
     <message>
         <source>Explain the marks in a legend</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken in einer Legende erklären</translation>
     </message>
     <message>
         <source>Control polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrollpolygon</translation>
     </message>
     <message>
         <source>Show the lines between the control points</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linien zwischen den Kontrollpunkten zeigen</translation>
     </message>
     <message>
         <source>Hidden parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdeckte Teile</translation>
     </message>
     <message>
         <source>Show what the viewer cannot see, paler</source>
-        <translation type="unfinished"></translation>
+        <translation>Blasser zeigen, was der Betrachter nicht sieht</translation>
     </message>
     <message>
         <source>Transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsichtig</translation>
     </message>
     <message>
         <source>Leave out the background</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Hintergrund weglassen</translation>
+    </message>
+    <message>
+        <source>For which background the colours are</source>
+        <translation>Für welchen Hintergrund die Farben sind</translation>
+    </message>
+    <message>
+        <source>For white</source>
+        <translation>Für Weiß</translation>
+    </message>
+    <message>
+        <source>For dark grey</source>
+        <translation>Für Dunkelgrau</translation>
+    </message>
+    <message>
+        <source>For black</source>
+        <translation>Für Schwarz</translation>
+    </message>
+    <message>
+        <source>How much larger than usual marks, letters and lines are</source>
+        <translation>Wie viel größer als üblich Marken, Buchstaben und Linien sind</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>F&amp;arben</translation>
+    </message>
+    <message>
+        <source>&amp;Marks</source>
+        <translation>&amp;Marken</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::FileController</name>
     <message>
         <source>Flatland scenes (*.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Flatland-Szenen (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>Open scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene öffnen</translation>
     </message>
     <message>
         <source>Save scene as</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene speichern unter</translation>
     </message>
     <message>
         <source>Replace file</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei ersetzen</translation>
     </message>
     <message>
         <source>%1 exists. Replace it?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save the changes to %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderungen an %1 speichern?</translation>
     </message>
     <message>
         <source>They are lost otherwise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst gehen sie verloren.</translation>
     </message>
     <message>
         <source>scene</source>
-        <translation type="unfinished"></translation>
+        <translation>szene</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::FlatCanvas</name>
     <message>
         <source>Canvas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The curve with its control points, the view handle, the screen and the marks. Tab steps through the points, arrow keys move them, F6 goes on to the panels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichenfläche</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::KeySheet</name>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen</translation>
     </message>
     <message>
         <source>Move the point, or the whole curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Punkt oder die ganze Kurve bewegen</translation>
     </message>
     <message>
         <source>Ctrl + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg + Ziehen</translation>
     </message>
     <message>
         <source>Along one axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang einer Achse</translation>
     </message>
     <message>
         <source>Alt + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt + Ziehen</translation>
     </message>
     <message>
         <source>Leave its handles behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne seine Griffe</translation>
     </message>
     <message>
         <source>Double-click on the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick auf die Kurve</translation>
     </message>
     <message>
         <source>Insert a point, shape kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Punkt einfügen, die Form bleibt</translation>
     </message>
     <message>
         <source>Click, Shift + click</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick, Umschalt + Klick</translation>
     </message>
     <message>
         <source>Select, select more</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen, mehr auswählen</translation>
     </message>
     <message>
         <source>Drag on nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen im Leeren</translation>
     </message>
     <message>
         <source>Select by rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Rechteck auswählen</translation>
     </message>
     <message>
         <source>Tab, Shift + Tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Tab, Umschalt + Tab</translation>
     </message>
     <message>
         <source>Next, previous point</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster, voriger Punkt</translation>
     </message>
     <message>
         <source>Arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiltasten</translation>
     </message>
     <message>
         <source>Move the selected points</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ausgewählten Punkte bewegen</translation>
     </message>
     <message>
         <source>Shift + arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt + Pfeil</translation>
     </message>
     <message>
         <source>Ten times as far</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehnmal so weit</translation>
     </message>
     <message>
         <source>Ctrl or Alt + arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg oder Alt + Pfeil</translation>
     </message>
     <message>
         <source>A tenth as far</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove the selected points</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Zehntel so weit</translation>
     </message>
     <message>
         <source>Esc</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take back a drag; deselect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl + Shift + A</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add a curve</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl + D</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Raise the degree</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Flip the normal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl + R</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc</translation>
     </message>
     <message>
         <source>Viewer</source>
-        <translation type="unfinished"></translation>
+        <translation>Betrachter</translation>
     </message>
     <message>
         <source>Drag the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Auge ziehen</translation>
     </message>
     <message>
         <source>Turn the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht drehen</translation>
     </message>
     <message>
         <source>Shift + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt + Ziehen</translation>
     </message>
     <message>
         <source>In steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>In Schritten von 15°</translation>
     </message>
     <message>
         <source>Keep the distance (perspective)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 2 3 4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>View from 0°, 90°, 180°, 270°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>P</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Perspective on or off</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Abstand halten (Perspektive)</translation>
     </message>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wheel, pinch</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Mauszeiger zoomen</translation>
     </message>
     <message>
         <source>Middle button, Space + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Taste, Leertaste + Ziehen</translation>
     </message>
     <message>
         <source>Move the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild bewegen</translation>
     </message>
     <message>
         <source>Two fingers on a trackpad</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit the scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>C</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Control polygon on or off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>D</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hidden parts on or off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>F6</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Focus to the next panel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Files and steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl + N, O, S</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New, open, save</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl + Shift + S</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save as</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl + E</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export the picture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl + Z</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl + Shift + Z, Ctrl + Y</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>H, ?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Finger auf dem Trackpad</translation>
     </message>
     <message>
         <source>Keys and gestures</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten und Gesten</translation>
+    </message>
+    <message>
+        <source>Take back a drag; deselect; leave the projector</source>
+        <translation>Ziehen zurücknehmen; Auswahl aufheben; Projektor beenden</translation>
+    </message>
+    <message>
+        <source>Wheel, pinch, Ctrl + wheel</source>
+        <translation>Mausrad, Spreizen, Strg + Mausrad</translation>
+    </message>
+    <message>
+        <source>H, ? and Esc close this sheet</source>
+        <translation>H, ? und Esc schließen dieses Blatt</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::Layouts</name>
     <message>
         <source>Esc leaves projector mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc beendet den Projektor</translation>
     </message>
     <message>
         <source>Back to the window as it was (Esc or F11)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum Fenster, wie es war (Esc oder F11)</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::LegendPanel</name>
     <message>
         <source>Hidden parts, paler</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdeckte Teile, blasser</translation>
     </message>
     <message>
         <source>Show what lies behind the curve as seen from the viewer</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, was vom Betrachter aus hinter der Kurve liegt</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::LimitsPanel</name>
+    <message>
+        <source>Turn the view</source>
+        <translation>Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Walk along the curve</source>
+        <translation>Die Kurve entlanggehen</translation>
+    </message>
+    <message>
+        <source>A ridge slides in</source>
+        <translation>Ein Grat gleitet hinein</translation>
+    </message>
+    <message>
+        <source>Three ways to a silhouette: turn the view at the probe; walk from the probe to the nearest silhouette; turn the view until an apparent ridge meets a silhouette at an inflection</source>
+        <translation>Drei Wege zu einer Silhouette: die Ansicht an der Sonde drehen; von der Sonde zur nächsten Silhouette gehen; die Ansicht drehen, bis ein scheinbarer Grat an einem Wendepunkt auf eine Silhouette trifft</translation>
+    </message>
+    <message>
+        <source>Way to the silhouette</source>
+        <translation>Weg zur Silhouette</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>Was gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the diagram as a picture, or all values as CSV</source>
+        <translation>Das Diagramm als Bild oder alle Werte als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>n·w at the probe, from 1 (seen head-on) to 0 (silhouette): turns the view</source>
+        <translation>n·w an der Sonde, von 1 (frontal gesehen) bis 0 (Silhouette): dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Foreshortening n·w</source>
+        <translation>Verkürzung n·w</translation>
+    </message>
+    <message>
+        <source>n·w</source>
+        <translation>n·w</translation>
+    </message>
+    <message>
+        <source>&amp;n·w</source>
+        <translation>&amp;n·w</translation>
+    </message>
+    <message>
+        <source>This curve has no inflection into which an apparent ridge could slide.</source>
+        <translation>Diese Kurve hat keinen Wendepunkt, in den ein scheinbarer Grat gleiten könnte.</translation>
+    </message>
+    <message>
+        <source>This curve has no silhouette to go to in this view.</source>
+        <translation>Diese Kurve hat in dieser Ansicht keine Silhouette, zu der man gehen könnte.</translation>
+    </message>
+    <message>
+        <source>n·w = 0: the silhouette; λ has no value here</source>
+        <translation>n·w = 0: die Silhouette; λ hat hier keinen Wert</translation>
+    </message>
+    <message>
+        <source>n·w = %1   λ = %2   |feature| %3   |offset| %4</source>
+        <translation>n·w = %1   λ = %2   |Merkmal| %3   |Versatz| %4</translation>
+    </message>
+    <message>
+        <source>These limits are those of a viewer infinitely far away; switch perspective off to turn the view by n·w.</source>
+        <translation>Diese Grenzfälle gelten für einen unendlich fernen Betrachter; schalten Sie die Perspektive aus, um die Ansicht über n·w zu drehen.</translation>
+    </message>
+    <message>
+        <source>λ = k²/(n·w)²: slope −2. The feature term falls with n·w, the offset term stays. At n·w = 0 the equation is singular and says nothing, but λ grows without bound towards it: its supremum lies there, and the silhouette is drawn as such.</source>
+        <translation>λ = k²/(n·w)²: Steigung −2. Der Merkmalsterm fällt mit n·w, der Versatzterm bleibt. Bei n·w = 0 ist die Gleichung singulär und sagt nichts, aber λ wächst dorthin ohne Grenze: Dort liegt sein Supremum, und die Silhouette wird als solche gezeichnet.</translation>
+    </message>
+    <message>
+        <source>n·w falls as k s, and k cancels: λ = 1/s², whatever the curvature. The feature term vanishes with s, the offset term does not: near a silhouette there is no apparent ridge.</source>
+        <translation>n·w fällt wie k s, und k kürzt sich: λ = 1/s², gleich welche Krümmung. Der Merkmalsterm verschwindet mit s, der Versatzterm nicht: Nahe einer Silhouette gibt es keinen scheinbaren Grat.</translation>
+    </message>
+    <message>
+        <source>k and n·w vanish together: k as s, n·w as s². λ = 4/s², four times as fast as at an ordinary silhouette, and the offset term is twice the feature term.</source>
+        <translation>k und n·w verschwinden zusammen: k wie s, n·w wie s². λ = 4/s², viermal so schnell wie an einer gewöhnlichen Silhouette, und der Versatzterm ist das Doppelte des Merkmalsterms.</translation>
+    </message>
+    <message>
+        <source>k vanishes as a power m of s, n·w as the power m + 1: λ = (m + 1)²/s².</source>
+        <translation>k verschwindet wie eine Potenz m von s, n·w wie die Potenz m + 1: λ = (m + 1)²/s².</translation>
+    </message>
+    <message>
+        <source>At a cusp k grows as 1/√s while n·w does not vanish: λ grows as 1/s only.</source>
+        <translation>An einer Spitze wächst k wie 1/√s, während n·w nicht verschwindet: λ wächst nur wie 1/s.</translation>
+    </message>
+    <message>
+        <source>At a cusp that points along the line of sight k grows as 1/√s and n·w falls as √s: λ = 1/(4 s²).</source>
+        <translation>An einer Spitze, die entlang der Sehlinie zeigt, wächst k wie 1/√s und n·w fällt wie √s: λ = 1/(4 s²).</translation>
+    </message>
+    <message>
+        <source>Seen along the tangent of an inflection, two apparent ridges meet and leave as two silhouettes. On both sides their distance is √(2 angle / |k′|): slope 1/2.</source>
+        <translation>Entlang der Tangente eines Wendepunkts gesehen treffen sich zwei scheinbare Grate und gehen als zwei Silhouetten auseinander. Auf beiden Seiten ist ihr Abstand √(2 Winkel / |k′|): Steigung 1/2.</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>grenzfaelle</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::LimitsView</name>
+    <message>
+        <source>Power law at the silhouette</source>
+        <translation>Potenzgesetz an der Silhouette</translation>
+    </message>
+    <message>
+        <source>Points: measured. Solid: fitted to the last decade. Dashed: predicted</source>
+        <translation>Punkte: gemessen. Durchgezogen: an die letzte Dekade angepasst. Gestrichelt: vorhergesagt</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::MainWindow</name>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>The language changes when the window is opened the next time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprache wechselt, wenn das Fenster das nächste Mal geöffnet wird.</translation>
     </message>
     <message>
         <source>%1[*] – Flatland</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Flatland</translation>
     </message>
     <message>
         <source>About Flatland</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Flatland</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Flatland %1&lt;/h3&gt;&lt;p&gt;View-dependent curvature and apparent ridges of plane curves, seen on a one-dimensional screen.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;Flatland %1&lt;/h3&gt;&lt;p&gt;Blickabhängige Krümmung und scheinbare Grate ebener Kurven, gesehen auf einem eindimensionalen Schirm.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Export picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild exportieren</translation>
     </message>
     <message>
         <source>picture</source>
-        <translation type="unfinished"></translation>
+        <translation>bild</translation>
     </message>
     <message>
         <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1-Dateien (*.%2)</translation>
     </message>
     <message>
         <source>Exported to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportiert nach %1</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::MarksModel</name>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>Mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke</translation>
     </message>
     <message>
         <source>What kind of mark it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Art die Marke ist</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Number of the curve, from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer der Kurve, ab 0</translation>
     </message>
     <message>
         <source>t</source>
-        <translation type="unfinished"></translation>
+        <translation>t</translation>
     </message>
     <message>
         <source>Parameter on the curve: piece number plus place in the piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter auf der Kurve: Nummer des Stücks plus Ort im Stück</translation>
     </message>
     <message>
         <source>u</source>
-        <translation type="unfinished"></translation>
+        <translation>u</translation>
     </message>
     <message>
         <source>Arc length from the start of the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Bogenlänge vom Anfang der Kurve</translation>
     </message>
     <message>
         <source>Screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Schirm</translation>
     </message>
     <message>
         <source>Coordinate on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate auf dem Schirm</translation>
     </message>
     <message>
         <source>View-dependent curvature squared; none at a silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadrat der blickabhängigen Krümmung; keines an einer Silhouette</translation>
     </message>
     <message>
         <source>Feature</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmal</translation>
     </message>
     <message>
         <source>Feature term of the apparent-ridge equation, (n·w) k k&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmalsterm der Gleichung des scheinbaren Grats, (n·w) k k&apos;</translation>
     </message>
     <message>
         <source>Offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatz</translation>
     </message>
     <message>
         <source>Offset term of the apparent-ridge equation, −k³ (t·w)</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatzterm der Gleichung des scheinbaren Grats, −k³ (t·w)</translation>
     </message>
     <message>
         <source>Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Perspektive</translation>
     </message>
     <message>
         <source>Term added by the perspective view; zero in an orthographic one</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusatzterm der perspektivischen Ansicht; null in einer orthografischen</translation>
     </message>
     <message>
         <source>Residual</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuum</translation>
     </message>
     <message>
         <source>How far the mark&apos;s equation is from zero there, without dimension</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die Gleichung der Marke dort von null entfernt ist, ohne Dimension</translation>
     </message>
     <message>
         <source>Visible</source>
-        <translation type="unfinished"></translation>
+        <translation>Sichtbar</translation>
     </message>
     <message>
         <source>Whether nothing lies between the mark and the viewer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob nichts zwischen Marke und Betrachter liegt</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::MarksPanel</name>
     <message>
         <source>Marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken</translation>
     </message>
     <message>
         <source>Select a row to highlight the mark; Enter or a double-click centres it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile auswählen hebt die Marke hervor; Eingabe oder Doppelklick rückt sie in die Mitte.</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::MessageBar</name>
     <message>
         <source>Message</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldung</translation>
     </message>
     <message>
         <source>Close this message</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>What went wrong; the text can be selected</source>
+        <translation>Was schiefging; der Text lässt sich auswählen</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::PointsModel</name>
     <message>
         <source>The curve passes through this point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kurve geht durch diesen Punkt.</translation>
     </message>
     <message>
         <source>This point pulls the curve towards itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Punkt zieht die Kurve zu sich hin.</translation>
     </message>
     <message>
         <source>“%1” is not a number; the coordinate stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Zahl; die Koordinate bleibt.</translation>
     </message>
     <message>
         <source>Coordinates lie within %1; the coordinate stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten liegen innerhalb von %1; die Koordinate bleibt.</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::PointsPanel</name>
     <message>
         <source>Coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate</translation>
     </message>
     <message>
         <source>Control points</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrollpunkte</translation>
     </message>
     <message>
         <source>Double-click a coordinate, or press F2, to type it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick auf eine Koordinate, oder F2, um sie einzutippen.</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::StatusLine</name>
     <message>
         <source>Where the pointer is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Mauszeiger ist</translation>
     </message>
     <message>
         <source>View %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht %1</translation>
     </message>
     <message>
         <source>Direction, and in perspective distance, of the viewer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>all %1 marks certified</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whether every mark was found and none invented, with certified signs</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung und, in der Perspektive, Abstand des Betrachters</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>Time of the last search for marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit der letzten Suche nach Marken</translation>
     </message>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>View %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht %1, %2</translation>
     </message>
     <message>
-        <source>%1 marks, %2 places unresolved</source>
-        <translation type="unfinished"></translation>
+        <source>Whether every mark was found and none invented, with certified signs. A click lists the places where that could not be decided.</source>
+        <translation>Ob jede Marke gefunden und keine erfunden wurde, mit bewiesenen Vorzeichen. Ein Klick listet die Stellen auf, an denen sich das nicht entscheiden ließ.</translation>
+    </message>
+    <message numerus="yes">
+        <source>all %n marks certified</source>
+        <translation>
+            <numerusform>die %n Marke bewiesen</numerusform>
+            <numerusform>alle %n Marken bewiesen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ridges and valleys exchange names: the viewer has passed the line through the ends of the curve and sees its other side.</source>
+        <translation>Grate und Täler tauschen die Namen: Der Betrachter hat die Linie durch die Enden der Kurve überschritten und sieht ihre andere Seite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places unresolved</source>
+        <translation>
+            <numerusform>%n Stelle unentschieden</numerusform>
+            <numerusform>%n Stellen unentschieden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Every mark was found and none is invented: nothing is left open.</source>
+        <translation>Jede Marke ist gefunden und keine erfunden: Nichts ist offen.</translation>
+    </message>
+    <message>
+        <source>%1, curve %2, t from %3 to %4: %5</source>
+        <translation>%1, Kurve %2, t von %3 bis %4: %5</translation>
+    </message>
+    <message>
+        <source>Bring the place to the middle of the canvas</source>
+        <translation>Die Stelle in die Mitte der Zeichenfläche rücken</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::StudyPanel</name>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>arc length</source>
+        <translation>Bogenlänge</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>unnormalised</source>
+        <translation>nicht normiert</translation>
+    </message>
+    <message>
+        <source>&amp;Curves</source>
+        <translation>&amp;Kurven</translation>
+    </message>
+    <message>
+        <source>How many random curves</source>
+        <translation>Wie viele zufällige Kurven</translation>
+    </message>
+    <message>
+        <source>Po&amp;ints</source>
+        <translation>P&amp;unkte</translation>
+    </message>
+    <message>
+        <source>Control points of each curve, 3 to 9</source>
+        <translation>Kontrollpunkte jeder Kurve, 3 bis 9</translation>
+    </message>
+    <message>
+        <source>&amp;Seed</source>
+        <translation>S&amp;aat</translation>
+    </message>
+    <message>
+        <source>Which random curves: the same seed, the same curves</source>
+        <translation>Welche zufälligen Kurven: gleiche Saat, gleiche Kurven</translation>
+    </message>
+    <message>
+        <source>U&amp;nits</source>
+        <translation>Ei&amp;nheiten</translation>
+    </message>
+    <message>
+        <source>arc length: as derived, without dimension. parameter: derivative of k by t. unnormalised: also the normal as long as the derivative</source>
+        <translation>Bogenlänge: wie hergeleitet, ohne Dimension. Parameter: Ableitung von k nach t. nicht normiert: auch die Normale so lang wie die Ableitung</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ale</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>Side of the square the control points are drawn from, for example in pixels</source>
+        <translation>Seite des Quadrats, aus dem die Kontrollpunkte gezogen werden, zum Beispiel in Pixeln</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>Measure the curves; again: stop</source>
+        <translation>Die Kurven messen; noch einmal: anhalten</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Mixed units</source>
+        <translation>Gemischte Einheiten</translation>
+    </message>
+    <message>
+        <source>Ratio: offset term over feature term. Displacement: how far apparent ridges lie from their ridges. Mixed units: the ratio in three kinds of unit, at any scale</source>
+        <translation>Verhältnis: Versatzterm zu Merkmalsterm. Verschiebung: wie weit scheinbare Grate von ihren Graten liegen. Gemischte Einheiten: das Verhältnis in drei Arten von Einheiten, in jedem Maßstab</translation>
+    </message>
+    <message>
+        <source>Diagram</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>Side of the square, 0.01 to 10,000: the curves stay, the units change</source>
+        <translation>Seite des Quadrats, 0.01 bis 10 000: Die Kurven bleiben, die Einheiten ändern sich</translation>
+    </message>
+    <message>
+        <source>Scale of the mixed units</source>
+        <translation>Maßstab der gemischten Einheiten</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Table…</source>
+        <translation>&amp;Tabelle …</translation>
+    </message>
+    <message>
+        <source>Measure and write one row per curve as CSV; a file that was interrupted is continued</source>
+        <translation>Messen und je Kurve eine Zeile als CSV schreiben; eine unterbrochene Datei wird fortgesetzt</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the diagram as a picture</source>
+        <translation>Das Diagramm als Bild schreiben</translation>
+    </message>
+    <message>
+        <source>The seed must be a whole number from 0</source>
+        <translation>Die Saat muss eine ganze Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>Write the table of the study</source>
+        <translation>Die Tabelle der Studie schreiben</translation>
+    </message>
+    <message>
+        <source>study.csv</source>
+        <translation>studie.csv</translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation>CSV-Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>studie</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>%1 curves · %2 apparent ridges, %3 births · %4 ridges and valleys, %5 deaths</source>
+        <translation>%1 Kurven · %2 scheinbare Grate, %3 Geburten · %4 Grate und Täler, %5 Tode</translation>
+    </message>
+    <message>
+        <source>Stopped: </source>
+        <translation>Angehalten: </translation>
+    </message>
+    <message>
+        <source>Show Curve %1 of the Study</source>
+        <translation>Kurve %1 der Studie zeigen</translation>
+    </message>
+    <message>
+        <source>Curve %1 of the study. Undo brings your curve back.</source>
+        <translation>Kurve %1 der Studie. Rückgängig bringt Ihre Kurve zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::StudyView</name>
+    <message>
+        <source>Histogram of the study</source>
+        <translation>Histogramm der Studie</translation>
+    </message>
+    <message>
+        <source>Click a bar: show a curve of it on the canvas. Left, Right and Enter do the same</source>
+        <translation>Klick auf einen Balken: eine seiner Kurven auf der Zeichenfläche zeigen. Links, Rechts und Eingabe tun dasselbe</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3 %, for example curve %4</source>
+        <translation>%1 bis %2: %3 %, zum Beispiel Kurve %4</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Misst …</translation>
+    </message>
+    <message>
+        <source>How large is the offset term against the feature term, over many random curves? Press Run.</source>
+        <translation>Wie groß ist der Versatzterm gegen den Merkmalsterm, über viele zufällige Kurven? Drücken Sie Starten.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SweepPanel</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Direction from the curve to the viewer</source>
+        <translation>Richtung von der Kurve zum Betrachter</translation>
+    </message>
+    <message>
+        <source>View angle</source>
+        <translation>Ansichtswinkel</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>How fast the view turns when played</source>
+        <translation>Wie schnell sich die Ansicht beim Abspielen dreht</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Turn to the previous event of an apparent ridge (Ctrl+Left)</source>
+        <translation>Zum vorigen Ereignis eines scheinbaren Grats drehen (Strg+Links)</translation>
+    </message>
+    <message>
+        <source>Turn to the next event of an apparent ridge (Ctrl+Right)</source>
+        <translation>Zum nächsten Ereignis eines scheinbaren Grats drehen (Strg+Rechts)</translation>
+    </message>
+    <message>
+        <source>Turn the view once around (Space); Esc returns to the view before</source>
+        <translation>Die Ansicht einmal herumdrehen (Leertaste); Esc kehrt zur Ansicht davor zurück</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Show the whole diagram (F)</source>
+        <translation>Das ganze Diagramm zeigen (F)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the diagram as SVG, PDF, PNG, TikZ or as a CSV table</source>
+        <translation>Das Diagramm als SVG, PDF, PNG, TikZ oder als CSV-Tabelle schreiben</translation>
+    </message>
+    <message>
+        <source>Updating…</source>
+        <translation>Wird erneuert …</translation>
+    </message>
+    <message>
+        <source>Shown for a viewer infinitely far away, not for this perspective</source>
+        <translation>Gezeigt für einen unendlich fernen Betrachter, nicht für diese Perspektive</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n births or merges in half a turn</source>
+        <translation>
+            <numerusform>%n Geburt oder Verschmelzung in einer halben Drehung</numerusform>
+            <numerusform>%n Geburten oder Verschmelzungen in einer halben Drehung</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>certified</source>
+        <translation>bewiesen</translation>
+    </message>
+    <message>
+        <source>not certified</source>
+        <translation>nicht bewiesen</translation>
+    </message>
+    <message>
+        <source> · </source>
+        <translation> · </translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>rundblick</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SweepView</name>
+    <message>
+        <source>View sweep</source>
+        <translation>Rundblick</translation>
+    </message>
+    <message>
+        <source>Click: go there. Drag: turn the view. Wheel: zoom. Middle button: move. Left, Right: turn by 1° (Shift 0.1°, Ctrl next event). Space: play.</source>
+        <translation>Klick: dorthin gehen. Ziehen: Ansicht drehen. Mausrad: zoomen. Mittlere Taste: bewegen. Links, Rechts: um 1° drehen (Umschalt 0.1°, Strg nächstes Ereignis). Leertaste: abspielen.</translation>
+    </message>
+    <message>
+        <source>No curve</source>
+        <translation>Keine Kurve</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Rechnet …</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>born or merged at %1°</source>
+        <translation>geboren oder verschmolzen bei %1°</translation>
+    </message>
+    <message>
+        <source>An apparent ridge is born or merges with a minimum at %1°, arc length %2</source>
+        <translation>Ein scheinbarer Grat entsteht oder verschmilzt mit einem Minimum bei %1°, Bogenlänge %2</translation>
+    </message>
+    <message>
+        <source>%1°, arc length %2</source>
+        <translation>%1°, Bogenlänge %2</translation>
     </message>
 </context>
 <context>
     <name>flatland::ui::ViewPanel</name>
     <message>
         <source>Direction from the curve to the viewer, counter-clockwise from the right</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung von der Kurve zum Betrachter, gegen den Uhrzeigersinn von rechts</translation>
     </message>
     <message>
         <source>&amp;Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Winkel</translation>
     </message>
     <message>
         <source>&amp;Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Perspektive</translation>
     </message>
     <message>
         <source>The viewer stands at a distance; off: infinitely far away</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Betrachter steht in einem Abstand; aus: unendlich weit weg</translation>
     </message>
     <message>
         <source>Distance of the viewer from the origin, in scene lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand des Betrachters vom Ursprung, in Längen der Szene</translation>
     </message>
     <message>
         <source>Distance of the viewer</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand des Betrachters</translation>
     </message>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>View from %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von %1°</translation>
     </message>
 </context>
 </TS>
