@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
-#include "support_window.h"
+#include "tests/ui/support_window.h"
 #include "ui/app/language.h"
 #include "ui/app/layouts.h"
 #include "ui/commands/scene_commands.h"

@@ -43,7 +43,7 @@ void addMoves(QMenu& menu, const MenuParts& parts) {
             [&plots] { plots.stepToMark(1); });
   addAction(menu,
             {"probe.previous-mark",
-             ProbeMenuWords::tr("Pre&vious Mark"),
+             ProbeMenuWords::tr("Previo&us Mark"),
              ProbeMenuWords::tr("Move the probe to the mark before, exactly"),
              {QKeySequence(Qt::SHIFT | Qt::Key_M)}},
             [&plots] { plots.stepToMark(-1); });

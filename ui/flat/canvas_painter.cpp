@@ -43,6 +43,10 @@ class CanvasPainter {
     // All below is in pixels of the usual size.
     painter_.save();
     painter_.scale(scale_, scale_);
+    // The application's font has grown already.
+    QFont usual = painter_.font();
+    usual.setPointSizeF(usual.pointSizeF() / models_.display.uiScale());
+    painter_.setFont(usual);
     paintRing();
     if (models_.display.showsControlPolygon()) paintControlPolygons();
     paintHoveredCurve();

@@ -30,7 +30,7 @@ void ProbeGesture::finish(const Pointer& pointer) {
 void ProbeGesture::cancel() { models_.probe.setPlace(before_); }
 
 QString ProbeGesture::status() const {
-  return tr("Sliding the probe along the curve. Esc: take it back.");
+  return Gesture::tr("Sliding the probe along the curve. Esc: take it back.");
 }
 
 void ProbeGesture::paint(QPainter& painter) const {

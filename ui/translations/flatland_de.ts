@@ -333,10 +333,6 @@
         <translation>, vom Schirm aus verdeckt</translation>
     </message>
     <message>
-        <source>Double-click to insert a point here; drag to move the whole curve.</source>
-        <translation>Doppelklick fügt hier einen Punkt ein; Ziehen bewegt die ganze Kurve.</translation>
-    </message>
-    <message>
         <source>Drag a point to bend the curve, or the eye to turn the view. H shows all keys.</source>
         <translation>Ziehen Sie einen Punkt, um die Kurve zu biegen, oder das Auge, um die Ansicht zu drehen. H zeigt alle Tasten.</translation>
     </message>
@@ -385,6 +381,22 @@
             <numerusform>%n Punkt ausgewählt. Umschalt: zur Auswahl hinzufügen. Esc: zurücknehmen.</numerusform>
             <numerusform>%n Punkte ausgewählt. Umschalt: zur Auswahl hinzufügen. Esc: zurücknehmen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Probe at t = %1: drag to slide it along the curve; M goes to the next mark.</source>
+        <translation>Sonde bei t = %1: Ziehen schiebt sie die Kurve entlang; M geht zur nächsten Marke.</translation>
+    </message>
+    <message>
+        <source>Click to put the probe here, double-click to insert a point; drag to move the curve.</source>
+        <translation>Klick setzt die Sonde hierher, Doppelklick fügt einen Punkt ein; Ziehen bewegt die Kurve.</translation>
+    </message>
+    <message>
+        <source>Moving the curve by (%1). Ctrl: along one axis. Esc: take it back.</source>
+        <translation>Bewegt die Kurve um (%1). Strg: entlang einer Achse. Esc: zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Sliding the probe along the curve. Esc: take it back.</source>
+        <translation>Schiebt die Sonde die Kurve entlang. Esc: zurücknehmen.</translation>
     </message>
 </context>
 <context>
@@ -691,6 +703,13 @@
     </message>
 </context>
 <context>
+    <name>MoveCurve</name>
+    <message>
+        <source>move curve</source>
+        <translation>Kurve bewegen</translation>
+    </message>
+</context>
+<context>
     <name>MovePoints</name>
     <message>
         <source>move point</source>
@@ -731,12 +750,229 @@
         <source>Limits</source>
         <translation>Grenzfälle</translation>
     </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Verläufe</translation>
+    </message>
 </context>
 <context>
     <name>PlacePoint</name>
     <message>
         <source>type coordinates</source>
         <translation>Koordinaten eintippen</translation>
+    </message>
+</context>
+<context>
+    <name>ProbeMenu</name>
+    <message>
+        <source>&amp;Place at Pointer</source>
+        <translation>An den &amp;Mauszeiger setzen</translation>
+    </message>
+    <message>
+        <source>Put the probe on the curve where the pointer is; a click there does so too</source>
+        <translation>Die Sonde auf die Kurve setzen, wo der Mauszeiger ist; ein Klick dort tut es auch</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the probe away (Esc with nothing selected)</source>
+        <translation>Die Sonde wegnehmen (Esc, wenn nichts ausgewählt ist)</translation>
+    </message>
+    <message>
+        <source>&amp;Next Mark</source>
+        <translation>&amp;Nächste Marke</translation>
+    </message>
+    <message>
+        <source>Move the probe to the next mark, exactly</source>
+        <translation>Die Sonde genau auf die nächste Marke setzen</translation>
+    </message>
+    <message>
+        <source>Move the probe to the mark before, exactly</source>
+        <translation>Die Sonde genau auf die vorige Marke setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>Vor&amp;wärts</translation>
+    </message>
+    <message>
+        <source>Move the probe along the curve</source>
+        <translation>Die Sonde die Kurve entlang bewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Rückwärts</translation>
+    </message>
+    <message>
+        <source>Move the probe back along the curve</source>
+        <translation>Die Sonde auf der Kurve zurück bewegen</translation>
+    </message>
+    <message>
+        <source>Forward, Ten Times</source>
+        <translation>Zehnfach vorwärts</translation>
+    </message>
+    <message>
+        <source>Move the probe ten times as far</source>
+        <translation>Die Sonde zehnmal so weit bewegen</translation>
+    </message>
+    <message>
+        <source>Back, Ten Times</source>
+        <translation>Zehnfach rückwärts</translation>
+    </message>
+    <message>
+        <source>Move the probe back ten times as far</source>
+        <translation>Die Sonde zehnmal so weit zurück bewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Vectors n, t, k</source>
+        <translation>&amp;Vektoren n, t, k</translation>
+    </message>
+    <message>
+        <source>Normal, tangent and dn/du = k t at the probe</source>
+        <translation>Normale, Tangente und dn/du = k t an der Sonde</translation>
+    </message>
+    <message>
+        <source>&amp;Osculating Circle</source>
+        <translation>&amp;Schmiegekreis</translation>
+    </message>
+    <message>
+        <source>The circle that touches the curve to second order at the probe</source>
+        <translation>Der Kreis, der die Kurve an der Sonde in zweiter Ordnung berührt</translation>
+    </message>
+    <message>
+        <source>&amp;Curvature Comb</source>
+        <translation>&amp;Krümmungskamm</translation>
+    </message>
+    <message>
+        <source>Teeth as long as the curvature is large, along the curve of the probe</source>
+        <translation>Zähne, so lang wie die Krümmung groß ist, entlang der Kurve der Sonde</translation>
+    </message>
+    <message>
+        <source>&amp;dn/di on the Screen</source>
+        <translation>&amp;dn/di auf dem Schirm</translation>
+    </message>
+    <message>
+        <source>How fast the normal turns for a step on the screen</source>
+        <translation>Wie schnell sich die Normale für einen Schritt auf dem Schirm dreht</translation>
+    </message>
+    <message>
+        <source>&amp;Longer Comb</source>
+        <translation>&amp;Längerer Kamm</translation>
+    </message>
+    <message>
+        <source>Lengthen the teeth of the comb</source>
+        <translation>Die Zähne des Kamms verlängern</translation>
+    </message>
+    <message>
+        <source>&amp;Shorter Comb</source>
+        <translation>Kür&amp;zerer Kamm</translation>
+    </message>
+    <message>
+        <source>Shorten the teeth of the comb</source>
+        <translation>Die Zähne des Kamms verkürzen</translation>
+    </message>
+    <message>
+        <source>Previo&amp;us Mark</source>
+        <translation>V&amp;orige Marke</translation>
+    </message>
+</context>
+<context>
+    <name>ProbeOverlay</name>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>dn/di = %1</source>
+        <translation>dn/di = %1</translation>
+    </message>
+    <message>
+        <source>comb: k = %1</source>
+        <translation>Kamm: k = %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProfilePlot</name>
+    <message>
+        <source>arc length u</source>
+        <translation>Bogenlänge u</translation>
+    </message>
+    <message>
+        <source>screen coordinate</source>
+        <translation>Schirmkoordinate</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>log</translation>
+    </message>
+    <message>
+        <source>asinh, linear to ±%1</source>
+        <translation>asinh, linear bis ±%1</translation>
+    </message>
+    <message>
+        <source>Curvature k</source>
+        <translation>Krümmung k</translation>
+    </message>
+    <message>
+        <source>View-dependent curvature λ</source>
+        <translation>Blickabhängige Krümmung λ</translation>
+    </message>
+    <message>
+        <source>Terms</source>
+        <translation>Terme</translation>
+    </message>
+    <message>
+        <source>|offset| / |feature|</source>
+        <translation>|Versatz| / |Merkmal|</translation>
+    </message>
+    <message>
+        <source>Curvature k, with dn/du = k t: positive where the curve bulges to the side of its normal. Peaks that would flatten the rest are cut off.</source>
+        <translation>Krümmung k, mit dn/du = k t: positiv, wo sich die Kurve zur Seite ihrer Normale wölbt. Spitzen, die den Rest flach drückten, sind abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>λ = |dn/di|² = k² / (n·w)², on a logarithmic axis: how fast the normal turns for a step on the screen, squared. Infinite at silhouettes, 0 at inflections.</source>
+        <translation>λ = |dn/di|² = k² / (n·w)², auf logarithmischer Achse: wie schnell sich die Normale für einen Schritt auf dem Schirm dreht, im Quadrat. Unendlich an Silhouetten, 0 an Wendepunkten.</translation>
+    </message>
+    <message>
+        <source>The terms of the apparent-ridge equation and their sum, which is (n·w)³/2 times the derivative of λ. The axis is that of asinh: linear near 0, logarithmic beyond, so that small and large values are both readable.</source>
+        <translation>Die Terme der Gleichung des scheinbaren Grats und ihre Summe; sie ist (n·w)³/2 mal die Ableitung von λ. Die Achse ist die des asinh: linear bei 0, darüber hinaus logarithmisch, sodass kleine und große Werte lesbar sind.</translation>
+    </message>
+    <message>
+        <source>Size of the offset term against the feature term, on a logarithmic axis. Above the line at 1 the offset is the larger one.</source>
+        <translation>Größe des Versatzterms gegen den Merkmalsterm, auf logarithmischer Achse. Über der Linie bei 1 ist der Versatz der größere.</translation>
+    </message>
+    <message>
+        <source>feature</source>
+        <translation>Merkmal</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
     </message>
 </context>
 <context>
@@ -880,6 +1116,10 @@
     <message>
         <source>Move the focus back</source>
         <translation>Den Fokus zurückgeben</translation>
+    </message>
+    <message>
+        <source>Pro&amp;be</source>
+        <translation>Sond&amp;e</translation>
     </message>
 </context>
 <context>
@@ -1249,16 +1489,44 @@
         <translation>Tasten und Gesten</translation>
     </message>
     <message>
-        <source>Take back a drag; deselect; leave the projector</source>
-        <translation>Ziehen zurücknehmen; Auswahl aufheben; Projektor beenden</translation>
-    </message>
-    <message>
         <source>Wheel, pinch, Ctrl + wheel</source>
         <translation>Mausrad, Spreizen, Strg + Mausrad</translation>
     </message>
     <message>
         <source>H, ? and Esc close this sheet</source>
         <translation>H, ? und Esc schließen dieses Blatt</translation>
+    </message>
+    <message>
+        <source>Take back a drag; deselect; no probe; leave projector</source>
+        <translation>Ziehen zurücknehmen; Auswahl aufheben; Sonde weg; Projektor beenden</translation>
+    </message>
+    <message>
+        <source>Probe and plots</source>
+        <translation>Sonde und Verläufe</translation>
+    </message>
+    <message>
+        <source>Click on the curve</source>
+        <translation>Klick auf die Kurve</translation>
+    </message>
+    <message>
+        <source>Put the probe there</source>
+        <translation>Die Sonde dorthin setzen</translation>
+    </message>
+    <message>
+        <source>Drag the ring</source>
+        <translation>Den Ring ziehen</translation>
+    </message>
+    <message>
+        <source>Slide it along the curve</source>
+        <translation>Sie die Kurve entlang schieben</translation>
+    </message>
+    <message>
+        <source>+ − 0 in a plot</source>
+        <translation>+ − 0 in einem Verlauf</translation>
+    </message>
+    <message>
+        <source>Zoom, show all</source>
+        <translation>Zoomen, alles zeigen</translation>
     </message>
 </context>
 <context>
@@ -1562,6 +1830,187 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::PlotExportDialog</name>
+    <message>
+        <source>Export plot: %1</source>
+        <translation>Verlauf exportieren: %1</translation>
+    </message>
+    <message>
+        <source>SVG and PDF stay sharp at any size; CSV is for a spreadsheet</source>
+        <translation>SVG und PDF bleiben in jeder Größe scharf; CSV ist für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>SVG, vector graphics</source>
+        <translation>SVG, Vektorgrafik</translation>
+    </message>
+    <message>
+        <source>PDF, vector graphics</source>
+        <translation>PDF, Vektorgrafik</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG, Pixel</translation>
+    </message>
+    <message>
+        <source>CSV, the numbers</source>
+        <translation>CSV, die Zahlen</translation>
+    </message>
+    <message>
+        <source>Width of the picture</source>
+        <translation>Breite des Bildes</translation>
+    </message>
+    <message>
+        <source>Height of the picture</source>
+        <translation>Höhe des Bildes</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Pixels per inch of a PNG file</source>
+        <translation>Pixel je Zoll einer PNG-Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Choose a file and write the plot</source>
+        <translation>Eine Datei wählen und den Verlauf schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Dots per inch</source>
+        <translation>&amp;Punkte je Zoll</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::PlotExporter</name>
+    <message>
+        <source>Copied the plot as a picture.</source>
+        <translation>Verlauf als Bild kopiert.</translation>
+    </message>
+    <message>
+        <source>Copied the numbers of the plot as CSV.</source>
+        <translation>Zahlen des Verlaufs als CSV kopiert.</translation>
+    </message>
+    <message>
+        <source>Export plot</source>
+        <translation>Verlauf exportieren</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportiert nach %1</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::PlotsPanel</name>
+    <message>
+        <source>against arc length</source>
+        <translation>über der Bogenlänge</translation>
+    </message>
+    <message>
+        <source>against screen</source>
+        <translation>über dem Schirm</translation>
+    </message>
+    <message>
+        <source>What the plots are drawn against: length along the curve, or place on the screen</source>
+        <translation>Worüber die Verläufe gezeichnet sind: Länge auf der Kurve oder Ort auf dem Schirm</translation>
+    </message>
+    <message>
+        <source>Drawn against</source>
+        <translation>Gezeichnet über</translation>
+    </message>
+    <message>
+        <source>The curve that is plotted: that of the probe</source>
+        <translation>Die Kurve, deren Verläufe gezeichnet sind: die der Sonde</translation>
+    </message>
+    <message>
+        <source>Plotted curve</source>
+        <translation>Gezeichnete Kurve</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Show the whole curve (0, or a double-click on a plot)</source>
+        <translation>Die ganze Kurve zeigen (0 oder Doppelklick auf einen Verlauf)</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>Which plots are shown, and how to copy or export them</source>
+        <translation>Welche Verläufe gezeigt werden, und wie man sie kopiert oder exportiert</translation>
+    </message>
+    <message>
+        <source>Export %1…</source>
+        <translation>%1 exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the plot as SVG, PDF, PNG or CSV</source>
+        <translation>Den Verlauf als SVG, PDF, PNG oder CSV schreiben</translation>
+    </message>
+    <message>
+        <source>Curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>&amp;Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the plot to the clipboard</source>
+        <translation>Den Verlauf in die Zwischenablage kopieren</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Numbers</source>
+        <translation>&amp;Zahlen kopieren</translation>
+    </message>
+    <message>
+        <source>Copy what is plotted as CSV</source>
+        <translation>Das Gezeichnete als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>&amp;Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Show the whole curve</source>
+        <translation>Die ganze Kurve zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide This Plot</source>
+        <translation>Diesen &amp;Verlauf verbergen</translation>
+    </message>
+    <message>
+        <source>The button Plots brings it back</source>
+        <translation>Der Knopf Verläufe bringt ihn zurück</translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::PointsModel</name>
     <message>
         <source>The curve passes through this point.</source>
@@ -1612,6 +2061,184 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::ProbePanel</name>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>Parameter on the curve: piece number plus place in the piece</source>
+        <translation>Parameter auf der Kurve: Nummer des Stücks plus Ort im Stück</translation>
+    </message>
+    <message>
+        <source>u</source>
+        <translation>u</translation>
+    </message>
+    <message>
+        <source>Arc length from the start of the curve (length)</source>
+        <translation>Bogenlänge vom Anfang der Kurve (Länge)</translation>
+    </message>
+    <message>
+        <source>Type a value and press Enter.</source>
+        <translation>Tippen Sie einen Wert und drücken Sie Eingabe.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Place in the plane (length)</source>
+        <translation>Ort in der Ebene (Länge)</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Unit normal</source>
+        <translation>Einheitsnormale</translation>
+    </message>
+    <message>
+        <source>Tangent</source>
+        <translation>Tangente</translation>
+    </message>
+    <message>
+        <source>Unit tangent, towards larger t</source>
+        <translation>Einheitstangente, zu größerem t hin</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>Curvature, dn/du = k t: positive where the curve bulges to the side of n (1/length)</source>
+        <translation>Krümmung, dn/du = k t: positiv, wo sich die Kurve zur Seite von n wölbt (1/Länge)</translation>
+    </message>
+    <message>
+        <source>k&apos;</source>
+        <translation>k&apos;</translation>
+    </message>
+    <message>
+        <source>Derivative of k by arc length (1/length²)</source>
+        <translation>Ableitung von k nach der Bogenlänge (1/Länge²)</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius of the osculating circle, 1/|k| (length)</source>
+        <translation>Radius des Schmiegekreises, 1/|k| (Länge)</translation>
+    </message>
+    <message>
+        <source>The curve is straight here: no finite radius.</source>
+        <translation>Die Kurve ist hier gerade: kein endlicher Radius.</translation>
+    </message>
+    <message>
+        <source>Infinite: the probe is at a silhouette.</source>
+        <translation>Unendlich: Die Sonde ist an einer Silhouette.</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Schirm</translation>
+    </message>
+    <message>
+        <source>Coordinate on the screen (length)</source>
+        <translation>Koordinate auf dem Schirm (Länge)</translation>
+    </message>
+    <message>
+        <source>At or behind the viewer: no image.</source>
+        <translation>Am Betrachter oder hinter ihm: kein Bild.</translation>
+    </message>
+    <message>
+        <source>n·w</source>
+        <translation>n·w</translation>
+    </message>
+    <message>
+        <source>Foreshortening; 0 at a silhouette</source>
+        <translation>Verkürzung; 0 an einer Silhouette</translation>
+    </message>
+    <message>
+        <source>View-dependent curvature squared, k²/(n·w)² (1/length²)</source>
+        <translation>Quadrat der blickabhängigen Krümmung, k²/(n·w)² (1/Länge²)</translation>
+    </message>
+    <message>
+        <source>dn/di</source>
+        <translation>dn/di</translation>
+    </message>
+    <message>
+        <source>Turn of the normal for a step on the screen, along the screen: k/|n·w| (1/length)</source>
+        <translation>Drehung der Normale für einen Schritt auf dem Schirm, entlang des Schirms: k/|n·w| (1/Länge)</translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation>Merkmal</translation>
+    </message>
+    <message>
+        <source>Feature term, (n·w) k k&apos; (1/length³)</source>
+        <translation>Merkmalsterm, (n·w) k k&apos; (1/Länge³)</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Offset term, −k³ (t·w) (1/length³)</source>
+        <translation>Versatzterm, −k³ (t·w) (1/Länge³)</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Term added by the perspective view (1/length³)</source>
+        <translation>Zusatzterm der perspektivischen Ansicht (1/Länge³)</translation>
+    </message>
+    <message>
+        <source>0: the viewer is infinitely far away.</source>
+        <translation>0: Der Betrachter ist unendlich fern.</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Sum of the terms, (n·w)³/2 dλ/du; 0 at an apparent ridge (1/length³)</source>
+        <translation>Summe der Terme, (n·w)³/2 dλ/du; 0 an einem scheinbaren Grat (1/Länge³)</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>Size of the offset term against the feature term, without unit</source>
+        <translation>Größe des Versatzterms gegen den Merkmalsterm, ohne Einheit</translation>
+    </message>
+    <message>
+        <source>The feature term is 0 here.</source>
+        <translation>Der Merkmalsterm ist hier 0.</translation>
+    </message>
+    <message>
+        <source>At a cusp the curve has no tangent.</source>
+        <translation>An einer Spitze hat die Kurve keine Tangente.</translation>
+    </message>
+    <message>
+        <source>No probe: click on the curve, or press K.</source>
+        <translation>Keine Sonde: Klicken Sie auf die Kurve oder drücken Sie K.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::ProfilePlot</name>
+    <message>
+        <source>The values at the probe</source>
+        <translation>Die Werte an der Sonde</translation>
+    </message>
+    <message>
+        <source>Click or drag: probe. Wheel: zoom. Middle button or Space: move. Double-click: show all. Right button: copy, export.</source>
+        <translation>Klick oder Ziehen: Sonde. Mausrad: zoomen. Mittlere Taste oder Leertaste: bewegen. Doppelklick: alles zeigen. Rechte Taste: kopieren, exportieren.</translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::StatusLine</name>
     <message>
         <source>Where the pointer is</source>
@@ -1640,10 +2267,6 @@
     <message>
         <source>View %1, %2</source>
         <translation>Ansicht %1, %2</translation>
-    </message>
-    <message>
-        <source>Whether every mark was found and none invented, with certified signs. A click lists the places where that could not be decided.</source>
-        <translation>Ob jede Marke gefunden und keine erfunden wurde, mit bewiesenen Vorzeichen. Ein Klick listet die Stellen auf, an denen sich das nicht entscheiden ließ.</translation>
     </message>
     <message numerus="yes">
         <source>all %n marks certified</source>
@@ -1680,6 +2303,17 @@
         <translation>
             <numerusform>und %n weitere</numerusform>
             <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Whether every mark was found and none invented, with certified signs, or on a curve of formulas within an error. A click lists the places where that could not be decided.</source>
+        <translation>Ob jede Marke gefunden und keine erfunden wurde, mit bewiesenen Vorzeichen oder, auf einer Kurve aus Formeln, bis auf einen Fehler. Ein Klick listet die Stellen auf, an denen sich das nicht entscheiden ließ.</translation>
+    </message>
+    <message numerus="yes">
+        <source>all %n marks found to %1</source>
+        <translation>
+            <numerusform>die %n Marke gefunden bis auf %1</numerusform>
+            <numerusform>alle %n Marken gefunden bis auf %1</numerusform>
         </translation>
     </message>
 </context>
@@ -1939,16 +2573,20 @@
         <translation>bewiesen</translation>
     </message>
     <message>
-        <source>not certified</source>
-        <translation>nicht bewiesen</translation>
-    </message>
-    <message>
         <source> · </source>
         <translation> · </translation>
     </message>
     <message>
         <source>sweep</source>
         <translation>rundblick</translation>
+    </message>
+    <message>
+        <source>not complete</source>
+        <translation>nicht vollständig</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,13 @@
             <numerusform>and %n more</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>all %n marks found to %1</source>
+        <translation>
+            <numerusform>the %n mark found to %1</numerusform>
+            <numerusform>all %n marks found to %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::SweepPanel</name>
