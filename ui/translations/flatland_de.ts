@@ -185,6 +185,14 @@
         <source>Re&amp;set to Preset “%1”</source>
         <translation>&amp;Zurück zum Beispiel „%1“</translation>
     </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Add such a curve in the middle of the picture; the panel Curve has its numbers</source>
+        <translation>Eine solche Kurve in der Mitte des Bildes hinzufügen; der Bereich Kurve hat ihre Zahlen</translation>
+    </message>
 </context>
 <context>
     <name>FigureFiles</name>
@@ -526,6 +534,108 @@
     </message>
 </context>
 <context>
+    <name>LessonMenu</name>
+    <message>
+        <source>No recent lessons</source>
+        <translation>Keine zuletzt geöffneten Lektionen</translation>
+    </message>
+    <message>
+        <source>Start this lesson</source>
+        <translation>Diese Lektion beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open Lesson…</source>
+        <translation>Lektion ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a lesson of your own</source>
+        <translation>Eine eigene Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent Lesson</source>
+        <translation>&amp;Zuletzt geöffnete Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>&amp;Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>On to the next step</source>
+        <translation>Weiter zum nächsten Schritt</translation>
+    </message>
+    <message>
+        <source>Step &amp;Back</source>
+        <translation>Schritt zu&amp;rück</translation>
+    </message>
+    <message>
+        <source>Back to the step before</source>
+        <translation>Zurück zum Schritt davor</translation>
+    </message>
+    <message>
+        <source>Next &amp;Stop</source>
+        <translation>Nächster &amp;Halt</translation>
+    </message>
+    <message>
+        <source>On to the next step that is a stop</source>
+        <translation>Weiter zum nächsten Schritt, der ein Halt ist</translation>
+    </message>
+    <message>
+        <source>&amp;First Step</source>
+        <translation>&amp;Erster Schritt</translation>
+    </message>
+    <message>
+        <source>Back to the beginning</source>
+        <translation>Zurück zum Anfang</translation>
+    </message>
+    <message>
+        <source>Scene of This Step &amp;Again</source>
+        <translation>&amp;Szene dieses Schritts noch einmal</translation>
+    </message>
+    <message>
+        <source>The scene as the lesson has it, whatever was dragged</source>
+        <translation>Die Szene, wie die Lektion sie hat, was auch gezogen wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Leave Lesson</source>
+        <translation>Lektion &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>Back to your own scene</source>
+        <translation>Zurück zur eigenen Szene</translation>
+    </message>
+</context>
+<context>
+    <name>LessonWords</name>
+    <message>
+        <source>A cusp: the curve has no tangent here, so there is no normal. Move the probe.</source>
+        <translation>Eine Spitze: Die Kurve hat hier keine Tangente, also auch keine Normale. Bewegen Sie die Sonde.</translation>
+    </message>
+    <message>
+        <source>A silhouette: n·j = 0. Nothing can be differentiated by the screen coordinate here; λ has no finite value.</source>
+        <translation>Eine Silhouette: n·j = 0. Nach der Schirmkoordinate lässt sich hier nichts ableiten; λ hat keinen endlichen Wert.</translation>
+    </message>
+    <message>
+        <source>The two curvatures are equal here: no direction is principal.</source>
+        <translation>Die beiden Krümmungen sind hier gleich: Keine Richtung ist Hauptrichtung.</translation>
+    </message>
+    <message>
+        <source>Point at the curve to see the values there.</source>
+        <translation>Zeigen Sie auf die Kurve, um die Werte dort zu sehen.</translation>
+    </message>
+    <message>
+        <source>both sides agree</source>
+        <translation>beide Seiten stimmen überein</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 % apart&lt;/b&gt;</source>
+        <translation>&lt;b&gt;%1 % auseinander&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>residual %1</source>
+        <translation>Residuum %1</translation>
+    </message>
+</context>
+<context>
     <name>LimitsWords</name>
     <message>
         <source>λ</source>
@@ -701,6 +811,10 @@
         <source>What this program is</source>
         <translation>Was dieses Programm ist</translation>
     </message>
+    <message>
+        <source>&amp;Lesson</source>
+        <translation>&amp;Lektion</translation>
+    </message>
 </context>
 <context>
     <name>MoveCurve</name>
@@ -718,6 +832,25 @@
     <message>
         <source>move points</source>
         <translation>Punkte bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>NewCurves</name>
+    <message>
+        <source>&amp;Bezier</source>
+        <translation>&amp;Bézier</translation>
+    </message>
+    <message>
+        <source>B-&amp;spline, closed</source>
+        <translation>B-&amp;Spline, geschlossen</translation>
+    </message>
+    <message>
+        <source>&amp;Rational Bezier: a circle</source>
+        <translation>&amp;Rationale Bézierkurve: ein Kreis</translation>
+    </message>
+    <message>
+        <source>&amp;Typed Formula</source>
+        <translation>Eingetippte &amp;Formel</translation>
     </message>
 </context>
 <context>
@@ -757,6 +890,14 @@
     <message>
         <source>Plots</source>
         <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
     </message>
 </context>
 <context>
@@ -1123,6 +1264,97 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::CurvePanel</name>
+    <message>
+        <source>&amp;Convert to Bezier Chain</source>
+        <translation>In Bézier-&amp;Kette umwandeln</translation>
+    </message>
+    <message>
+        <source>, degree %1</source>
+        <translation>, Grad %1</translation>
+    </message>
+    <message>
+        <source>, closed</source>
+        <translation>, geschlossen</translation>
+    </message>
+    <message>
+        <source>, open</source>
+        <translation>, offen</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n points</source>
+        <translation>
+            <numerusform>, %n Punkt</numerusform>
+            <numerusform>, %n Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n pieces</source>
+        <translation>
+            <numerusform>, %n Stück</numerusform>
+            <numerusform>, %n Stücke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No curve. The menu Curve &gt; New adds one.</source>
+        <translation>Keine Kurve. Das Menü Kurve &gt; Neu fügt eine hinzu.</translation>
+    </message>
+    <message>
+        <source>Curve %1: %2</source>
+        <translation>Kurve %1: %2</translation>
+    </message>
+    <message>
+        <source>The same curve as Bezier pieces with points to drag: exact</source>
+        <translation>Dieselbe Kurve als Bézier-Stücke mit ziehbaren Punkten: genau</translation>
+    </message>
+    <message>
+        <source>Cubic Bezier pieces with points to drag, within a millionth of the size of the curve</source>
+        <translation>Kubische Bézier-Stücke mit ziehbaren Punkten, auf ein Millionstel der Größe der Kurve genau</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>How strongly each point pulls the curve: a number above 0</source>
+        <translation>Wie stark jeder Punkt die Kurve zieht: eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; the weight stays.</source>
+        <translation>„%1“ ist keine Zahl; das Gewicht bleibt.</translation>
+    </message>
+    <message>
+        <source>change weight</source>
+        <translation>Gewicht ändern</translation>
+    </message>
+    <message>
+        <source>The curve is a single point and stays as it is.</source>
+        <translation>Die Kurve ist ein einziger Punkt und bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>convert curve</source>
+        <translation>Kurve umwandeln</translation>
+    </message>
+    <message numerus="yes">
+        <source>Converted exactly to %n Bezier pieces.</source>
+        <translation>
+            <numerusform>Genau in %n Bézier-Stück umgewandelt.</numerusform>
+            <numerusform>Genau in %n Bézier-Stücke umgewandelt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Converted to %n cubic pieces, within %1.</source>
+        <translation>
+            <numerusform>In %n kubisches Stück umgewandelt, auf %1 genau.</numerusform>
+            <numerusform>In %n kubische Stücke umgewandelt, auf %1 genau.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::EditController</name>
     <message>
         <source>Nothing is selected. Click a point or press Tab, then Delete.</source>
@@ -1301,6 +1533,17 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::FamilyEditor</name>
+    <message>
+        <source>change parameter</source>
+        <translation>Parameter ändern</translation>
+    </message>
+    <message>
+        <source>b/a = %1. The triangle marks b/a = √(3/2) = 1.2247: seen along y, the tip that faces the viewer is an apparent ridge only above it; below, lambda has a minimum there.</source>
+        <translation>b/a = %1. Das Dreieck markiert b/a = √(3/2) = 1.2247: Entlang y gesehen ist der Scheitel vor dem Betrachter nur darüber ein scheinbarer Grat; darunter hat λ dort ein Minimum.</translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::FileController</name>
     <message>
         <source>Flatland scenes (*.json);;All files (*)</source>
@@ -1348,6 +1591,61 @@
     <message>
         <source>Canvas</source>
         <translation>Zeichenfläche</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::FormulaEditor</name>
+    <message>
+        <source>&amp;x(t)</source>
+        <translation>&amp;x(t)</translation>
+    </message>
+    <message>
+        <source>A formula in t, such as cos(t) * (1 + a*cos(3*t))</source>
+        <translation>Eine Formel in t, etwa cos(t) * (1 + a*cos(3*t))</translation>
+    </message>
+    <message>
+        <source>&amp;y(t)</source>
+        <translation>&amp;y(t)</translation>
+    </message>
+    <message>
+        <source>A formula in t, such as sin(t)^3</source>
+        <translation>Eine Formel in t, etwa sin(t)^3</translation>
+    </message>
+    <message>
+        <source>t &amp;from</source>
+        <translation>t &amp;von</translation>
+    </message>
+    <message>
+        <source>Where t begins: a formula without t</source>
+        <translation>Wo t beginnt: eine Formel ohne t</translation>
+    </message>
+    <message>
+        <source>t &amp;to</source>
+        <translation>t &amp;bis</translation>
+    </message>
+    <message>
+        <source>Where t ends: a formula without t, such as 2*pi</source>
+        <translation>Wo t endet: eine Formel ohne t, etwa 2*pi</translation>
+    </message>
+    <message>
+        <source>&amp;with</source>
+        <translation>&amp;mit</translation>
+    </message>
+    <message>
+        <source>Named numbers, such as a = 0.3, b = 2</source>
+        <translation>Benannte Zahlen, etwa a = 0.3, b = 2</translation>
+    </message>
+    <message>
+        <source>Write a = 0.3, b = 2: names, numbers, commas.</source>
+        <translation>Schreiben Sie a = 0.3, b = 2: Namen, Zahlen, Kommas.</translation>
+    </message>
+    <message>
+        <source>type formula</source>
+        <translation>Formel eintippen</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>Spalte %1: %2</translation>
     </message>
 </context>
 <context>
@@ -1549,6 +1847,103 @@
     <message>
         <source>Show what lies behind the curve as seen from the viewer</source>
         <translation>Zeigen, was vom Betrachter aus hinter der Kurve liegt</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::LessonFiles</name>
+    <message>
+        <source>Open lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.md);;All files (*)</source>
+        <translation>Lektionen (*.md);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::LessonModel</name>
+    <message>
+        <source>leave lesson</source>
+        <translation>Lektion verlassen</translation>
+    </message>
+    <message>
+        <source>lesson: %1</source>
+        <translation>Lektion: %1</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::LessonPanel</name>
+    <message>
+        <source>Words of the step</source>
+        <translation>Worte des Schritts</translation>
+    </message>
+    <message>
+        <source>First step (Home)</source>
+        <translation>Erster Schritt (Pos1)</translation>
+    </message>
+    <message>
+        <source>Step back (Page Up)</source>
+        <translation>Schritt zurück (Bild auf)</translation>
+    </message>
+    <message>
+        <source>Next step (Page Down)</source>
+        <translation>Nächster Schritt (Bild ab)</translation>
+    </message>
+    <message>
+        <source>On to the next stop (Shift + Page Down)</source>
+        <translation>Weiter zum nächsten Halt (Umschalt + Bild ab)</translation>
+    </message>
+    <message>
+        <source>The scene of this step again</source>
+        <translation>Die Szene dieses Schritts noch einmal</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Leave the lesson: back to your own scene</source>
+        <translation>Die Lektion verlassen: zurück zur eigenen Szene</translation>
+    </message>
+    <message>
+        <source>As printed</source>
+        <translation>Wie gedruckt</translation>
+    </message>
+    <message>
+        <source>The equation as the thesis has it</source>
+        <translation>Die Gleichung, wie die Arbeit sie hat</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>Berichtigt</translation>
+    </message>
+    <message>
+        <source>The equation as it should be</source>
+        <translation>Die Gleichung, wie sie sein sollte</translation>
+    </message>
+    <message>
+        <source>Printed roots on the curve</source>
+        <translation>Gedruckte Nullstellen auf der Kurve</translation>
+    </message>
+    <message>
+        <source>Where (3.13) as printed would put apparent ridges: hollow and dashed</source>
+        <translation>Wohin (3.13), wie gedruckt, scheinbare Grate setzte: hohl und gestrichelt</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; · step %2 of %3%4</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; · Schritt %2 von %3%4</translation>
+    </message>
+    <message>
+        <source> · stop</source>
+        <translation> · Halt</translation>
+    </message>
+    <message>
+        <source>No lesson is open</source>
+        <translation>Keine Lektion ist offen</translation>
+    </message>
+    <message>
+        <source>The **Lesson** menu has three, and opens your own.</source>
+        <translation>Das Menü **Lektion** hat drei und öffnet eigene.</translation>
     </message>
 </context>
 <context>
@@ -2315,6 +2710,31 @@
             <numerusform>die %n Marke gefunden bis auf %1</numerusform>
             <numerusform>alle %n Marken gefunden bis auf %1</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::StepSizePlot</name>
+    <message>
+        <source>Difference quotients against their step size</source>
+        <translation>Differenzenquotienten über ihrer Schrittweite</translation>
+    </message>
+    <message>
+        <source>step h</source>
+        <translation>Schritt h</translation>
+    </message>
+    <message>
+        <source>off by</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>How far difference quotients are from the right side.
+h: %1.
+Filled: corrected. Hollow, dashed: as printed.
+Large steps: truncation, slope 2. Small steps: rounding, slope −1.</source>
+        <translation>Wie weit Differenzenquotienten von der rechten Seite sind.
+h: %1.
+Gefüllt: berichtigt. Hohl, gestrichelt: wie gedruckt.
+Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</translation>
     </message>
 </context>
 <context>
