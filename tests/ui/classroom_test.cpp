@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include "flatland/curve/families.h"
 #include "tests/ui/support_window.h"
 #include "ui/app/language.h"
 #include "ui/app/layouts.h"
@@ -327,6 +328,12 @@ class ClassroomTest : public QObject {
       for (const Preset& preset : presets()) {
         QVERIFY2(coreWords(preset.description) != QString::fromStdString(preset.description),
                  preset.id.c_str());
+      }
+      for (const Family& family : families()) {
+        for (const FamilyParameter& parameter : family.parameters) {
+          QVERIFY2(coreWords(parameter.meaning) != QString::fromStdString(parameter.meaning),
+                   parameter.meaning.c_str());
+        }
       }
       // A number that is typed or shown has a point in every language.
       QVERIFY(driver.child<QWidget>("view.angle").property("text").toString().contains('.'));

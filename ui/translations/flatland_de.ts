@@ -102,6 +102,234 @@
         <source>Apparent minimum</source>
         <translation>Scheinbares Minimum</translation>
     </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Parabola</source>
+        <translation>Parabel</translation>
+    </message>
+    <message>
+        <source>Sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>Gaussian bump</source>
+        <translation>Gaußsche Beule</translation>
+    </message>
+    <message>
+        <source>Superellipse</source>
+        <translation>Superellipse</translation>
+    </message>
+    <message>
+        <source>Lissajous</source>
+        <translation>Lissajous</translation>
+    </message>
+    <message>
+        <source>Cycloid</source>
+        <translation>Zykloide</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>half axis along x</source>
+        <translation>Halbachse entlang x</translation>
+    </message>
+    <message>
+        <source>half axis along y</source>
+        <translation>Halbachse entlang y</translation>
+    </message>
+    <message>
+        <source>steepness</source>
+        <translation>Steilheit</translation>
+    </message>
+    <message>
+        <source>half width</source>
+        <translation>halbe Breite</translation>
+    </message>
+    <message>
+        <source>half height</source>
+        <translation>halbe Höhe</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>wave number</source>
+        <translation>Wellenzahl</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>width of the bump</source>
+        <translation>Breite der Beule</translation>
+    </message>
+    <message>
+        <source>half width of the curve</source>
+        <translation>halbe Breite der Kurve</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>swings along x</source>
+        <translation>Schwingungen entlang x</translation>
+    </message>
+    <message>
+        <source>swings along y</source>
+        <translation>Schwingungen entlang y</translation>
+    </message>
+    <message>
+        <source>phase, degrees</source>
+        <translation>Phase, Grad</translation>
+    </message>
+    <message>
+        <source>radius of the wheel</source>
+        <translation>Radius des Rads</translation>
+    </message>
+    <message>
+        <source>distance of the pen from the hub; r gives cusps</source>
+        <translation>Abstand des Stifts von der Nabe; r gibt Spitzen</translation>
+    </message>
+    <message>
+        <source>arches</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>Bezier curve</source>
+        <translation>Bézierkurve</translation>
+    </message>
+    <message>
+        <source>Bezier chain</source>
+        <translation>Bézier-Kette</translation>
+    </message>
+    <message>
+        <source>B-spline</source>
+        <translation>B-Spline</translation>
+    </message>
+    <message>
+        <source>rational Bezier</source>
+        <translation>rationale Bézierkurve</translation>
+    </message>
+    <message>
+        <source>formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>a curve needs at least 2 control points</source>
+        <translation>eine Kurve braucht mindestens 2 Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>only joints can be removed from a chain; this point is a handle</source>
+        <translation>aus einer Kette lassen sich nur Gelenke entfernen; dieser Punkt ist ein Griff</translation>
+    </message>
+    <message>
+        <source>too few joints would stay: remove the whole curve instead</source>
+        <translation>es blieben zu wenige Gelenke: Entfernen Sie die ganze Kurve</translation>
+    </message>
+    <message>
+        <source>The curve is given by a formula and has no points; convert it to a Bezier chain first.</source>
+        <translation>Die Kurve ist durch eine Formel gegeben und hat keine Punkte; wandeln Sie sie erst in eine Bézier-Kette um.</translation>
+    </message>
+    <message>
+        <source>Points of a rational chain cannot be removed; convert it to a Bezier chain first.</source>
+        <translation>Punkte einer rationalen Kette lassen sich nicht entfernen; wandeln Sie sie erst in eine Bézier-Kette um.</translation>
+    </message>
+    <message>
+        <source>A rational Bezier curve keeps at least 2 points.</source>
+        <translation>Eine rationale Bézierkurve behält mindestens 2 Punkte.</translation>
+    </message>
+    <message>
+        <source>The degree of a B-spline stays; convert it to a Bezier chain to raise it.</source>
+        <translation>Der Grad eines B-Splines bleibt; wandeln Sie ihn in eine Bézier-Kette um, um ihn zu erhöhen.</translation>
+    </message>
+    <message>
+        <source>The curve is given by a formula and has no degree.</source>
+        <translation>Die Kurve ist durch eine Formel gegeben und hat keinen Grad.</translation>
+    </message>
+    <message>
+        <source>the defining polynomial cannot be told from zero</source>
+        <translation>das bestimmende Polynom ist von null nicht zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>none or an even number of roots too close to tell apart</source>
+        <translation>keine oder eine gerade Zahl von Nullstellen, zu nah, um sie zu trennen</translation>
+    </message>
+    <message>
+        <source>an odd number of roots too close to count; one is marked</source>
+        <translation>eine ungerade Zahl von Nullstellen, zu nah, um sie zu zählen; eine ist markiert</translation>
+    </message>
+    <message>
+        <source>curvature is infinite here, of undecided sign</source>
+        <translation>die Krümmung ist hier unendlich, ihr Vorzeichen unentschieden</translation>
+    </message>
+    <message>
+        <source>the curve is too large or too small for double precision</source>
+        <translation>die Kurve ist zu groß oder zu klein für doppelte Genauigkeit</translation>
+    </message>
+    <message>
+        <source>the formula is nested too deeply</source>
+        <translation>die Formel ist zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>something is missing here</source>
+        <translation>hier fehlt etwas</translation>
+    </message>
+    <message>
+        <source>a ) is missing</source>
+        <translation>eine ) fehlt</translation>
+    </message>
+    <message>
+        <source>there is no ( for this )</source>
+        <translation>zu dieser ) gibt es keine (</translation>
+    </message>
+    <message>
+        <source>this number is out of range</source>
+        <translation>diese Zahl ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>this is not a number</source>
+        <translation>das ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>t cannot stand here: the domain of t must not depend on it</source>
+        <translation>t kann hier nicht stehen: Der Bereich von t darf nicht von t abhängen</translation>
+    </message>
+    <message>
+        <source>a name begins with a letter</source>
+        <translation>ein Name beginnt mit einem Buchstaben</translation>
+    </message>
+    <message>
+        <source>a name has only letters a-z, digits and _</source>
+        <translation>ein Name hat nur Buchstaben a-z, Ziffern und _</translation>
+    </message>
+    <message>
+        <source>the name is longer than 64 letters</source>
+        <translation>der Name ist länger als 64 Zeichen</translation>
+    </message>
+    <message>
+        <source>the name is taken already</source>
+        <translation>der Name ist schon vergeben</translation>
+    </message>
+    <message>
+        <source>this is not a finite number</source>
+        <translation>das ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>this is beyond 1e15</source>
+        <translation>das liegt jenseits von 1e15</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
@@ -1825,6 +2053,34 @@
     <message>
         <source>Zoom, show all</source>
         <translation>Zoomen, alles zeigen</translation>
+    </message>
+    <message>
+        <source>Sweep panel</source>
+        <translation>Rundblick</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Links, Rechts</translation>
+    </message>
+    <message>
+        <source>Turn the view by 1°</source>
+        <translation>Die Ansicht um 1° drehen</translation>
+    </message>
+    <message>
+        <source>Shift, Ctrl + the same</source>
+        <translation>Umschalt, Strg + dieselben</translation>
+    </message>
+    <message>
+        <source>By 0.1°, to the next event</source>
+        <translation>Um 0.1°, zum nächsten Ereignis</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Turn once around; Esc goes back</source>
+        <translation>Einmal herumdrehen; Esc kehrt zurück</translation>
     </message>
 </context>
 <context>
