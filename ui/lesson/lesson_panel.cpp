@@ -23,6 +23,7 @@ LessonPanel::LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QW
   words_ = new QTextBrowser(this);
   words_->setObjectName("lesson.words");
   words_->setAccessibleName(tr("Words of the step"));
+  words_->setToolTip(tr("What the step says"));
   words_->setFrameShape(QFrame::NoFrame);
   words_->setOpenLinks(false);
   words_->viewport()->setAutoFillBackground(false);
@@ -104,6 +105,8 @@ QLayout* LessonPanel::buildEquation() {
   column->addLayout(row);
   values_ = new QLabel(this);
   values_->setObjectName("lesson.values");
+  values_->setAccessibleName(tr("Values"));
+  values_->setToolTip(tr("The values of both sides at the probe"));
   values_->setTextFormat(Qt::RichText);
   values_->setWordWrap(true);
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -33,6 +33,7 @@ StepSizePlot::StepSizePlot(QWidget* parent) : QWidget(parent), plot_(new QCustom
   layout->addWidget(plot_);
   plot_->setObjectName("lesson.step-sizes");
   plot_->setAccessibleName(tr("Difference quotients against their step size"));
+  plot_->setToolTip(plot_->accessibleName());
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) makeLogarithmic(*axis);
   plot_->xAxis->setLabel(tr("step h"));
   plot_->yAxis->setLabel(tr("off by"));

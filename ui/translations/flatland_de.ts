@@ -1509,20 +1509,6 @@
         <source>, open</source>
         <translation>, offen</translation>
     </message>
-    <message numerus="yes">
-        <source>, %n points</source>
-        <translation>
-            <numerusform>, %n Punkt</numerusform>
-            <numerusform>, %n Punkte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>, %n pieces</source>
-        <translation>
-            <numerusform>, %n Stück</numerusform>
-            <numerusform>, %n Stücke</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No curve. The menu Curve &gt; New adds one.</source>
         <translation>Keine Kurve. Das Menü Kurve &gt; Neu fügt eine hinzu.</translation>
@@ -1567,19 +1553,21 @@
         <source>convert curve</source>
         <translation>Kurve umwandeln</translation>
     </message>
-    <message numerus="yes">
-        <source>Converted exactly to %n Bezier pieces.</source>
-        <translation>
-            <numerusform>Genau in %n Bézier-Stück umgewandelt.</numerusform>
-            <numerusform>Genau in %n Bézier-Stücke umgewandelt.</numerusform>
-        </translation>
+    <message>
+        <source>, points: %1</source>
+        <translation>, Punkte: %1</translation>
     </message>
-    <message numerus="yes">
-        <source>Converted to %n cubic pieces, within %1.</source>
-        <translation>
-            <numerusform>In %n kubisches Stück umgewandelt, auf %1 genau.</numerusform>
-            <numerusform>In %n kubische Stücke umgewandelt, auf %1 genau.</numerusform>
-        </translation>
+    <message>
+        <source>, pieces: %1</source>
+        <translation>, Stücke: %1</translation>
+    </message>
+    <message>
+        <source>Converted exactly; Bezier pieces: %1.</source>
+        <translation>Genau umgewandelt; Bézier-Stücke: %1.</translation>
+    </message>
+    <message>
+        <source>Converted within %1; cubic pieces: %2.</source>
+        <translation>Auf %1 genau umgewandelt; kubische Stücke: %2.</translation>
     </message>
 </context>
 <context>
@@ -2200,6 +2188,18 @@
     <message>
         <source>The **Lesson** menu has three, and opens your own.</source>
         <translation>Das Menü **Lektion** hat drei und öffnet eigene.</translation>
+    </message>
+    <message>
+        <source>What the step says</source>
+        <translation>Was der Schritt sagt</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>The values of both sides at the probe</source>
+        <translation>Die Werte beider Seiten an der Sonde</translation>
     </message>
 </context>
 <context>

@@ -43,37 +43,6 @@
     </message>
 </context>
 <context>
-    <name>flatland::ui::CurvePanel</name>
-    <message numerus="yes">
-        <source>, %n points</source>
-        <translation>
-            <numerusform>, %n point</numerusform>
-            <numerusform>, %n points</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>, %n pieces</source>
-        <translation>
-            <numerusform>, %n piece</numerusform>
-            <numerusform>, %n pieces</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Converted exactly to %n Bezier pieces.</source>
-        <translation>
-            <numerusform>Converted exactly to %n Bezier piece.</numerusform>
-            <numerusform>Converted exactly to %n Bezier pieces.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Converted to %n cubic pieces, within %1.</source>
-        <translation>
-            <numerusform>Converted to %n cubic piece, within %1.</numerusform>
-            <numerusform>Converted to %n cubic pieces, within %1.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>flatland::ui::StatusLine</name>
     <message numerus="yes">
         <source>all %n marks certified</source>
