@@ -13,8 +13,10 @@ namespace flatland::ui {
 
 namespace {
 
-constexpr double kLeftPx = 58.0, kRightPx = 16.0, kTopPx = 30.0, kBottomPx = 42.0;
+constexpr double kLeftPx = 58.0, kRightPx = 16.0, kBottomPx = 42.0;
 constexpr double kTickPx = 46.0;
+constexpr double kRowPx = 16.0;      // of the words above
+constexpr double kOneRowPx = 380.0;  // narrower, the slopes take a row each
 constexpr double kPointPx = 2.2;
 
 struct Range {
@@ -60,13 +62,16 @@ class Builder : FigureBuilder {
   }
 
  private:
+  bool isNarrow() const { return options_.width < kOneRowPx; }
+  double top() const { return isNarrow() ? 30.0 + kRowPx : 30.0; }
+
   // The way goes to the right, towards small x.
   double px(double logX) const {
     return kLeftPx + (x_.high - logX) / (x_.high - x_.low) * (options_.width - kLeftPx - kRightPx);
   }
   double py(double logY) const {
     return options_.height - kBottomPx -
-           (logY - y_.low) / (y_.high - y_.low) * (options_.height - kTopPx - kBottomPx);
+           (logY - y_.low) / (y_.high - y_.low) * (options_.height - top() - kBottomPx);
   }
 
   static int stepFor(double decades, double lengthPx) {
@@ -77,7 +82,7 @@ class Builder : FigureBuilder {
     FigureGroup& axes = group("axes", "axes");
     const Stroke faint = gridStroke();
     const double left = kLeftPx, right = options_.width - kRightPx;
-    const double top = kTopPx, bottom = options_.height - kBottomPx;
+    const double top = this->top(), bottom = options_.height - kBottomPx;
     const int xStep = stepFor(x_.high - x_.low, right - left);
     for (int d = static_cast<int>(std::ceil(x_.low - 1e-9)); d <= x_.high + 1e-9; ++d) {
       if (d % xStep != 0) continue;
@@ -149,10 +154,16 @@ class Builder : FigureBuilder {
     const double middle = 0.5 * (kLeftPx + options_.width - kRightPx);
     addText(words, {middle, options_.height - 11.0}, options_.xName, TextShape::Anchor::Middle);
     addText(words, {8.0, 12.0}, options_.yName, TextShape::Anchor::Start);
+    const double right = options_.width - kRightPx;
     std::string text = "no power law here";
     if (law_.order) text = "predicted slope " + shortNumber(*law_.order);
-    if (law_.fit) text += ", fitted " + withError(law_.fit->slope, law_.fit->slopeError);
-    addText(words, {options_.width - kRightPx, 12.0}, text, TextShape::Anchor::End);
+    const std::string fitted =
+        law_.fit ? "fitted " + withError(law_.fit->slope, law_.fit->slopeError) : std::string();
+    if (!isNarrow() && law_.fit) text += ", " + fitted;
+    addText(words, {right, 12.0}, text, TextShape::Anchor::End);
+    if (isNarrow() && law_.fit) {
+      addText(words, {right, 12.0 + kRowPx}, fitted, TextShape::Anchor::End);
+    }
   }
 
   const LimitSeries& series_;

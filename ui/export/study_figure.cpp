@@ -143,9 +143,14 @@ class Builder : FigureBuilder {
     line(quartiles.lower, dashed);
     line(quartiles.upper, dashed);
     line(quartiles.median, {.colour = colours_.text, .width = 1.8});
-    const std::string text = before + "median " + shortNumber(quartiles.median * factor) +
-                             ", quartiles " + shortNumber(quartiles.lower * factor) + ", " +
+    // As much as there is room for, the median first.
+    const std::string median = "median " + shortNumber(quartiles.median * factor);
+    const std::string rest = ", quartiles " + shortNumber(quartiles.lower * factor) + ", " +
                              shortNumber(quartiles.upper * factor);
+    const double room = options_.width - kLeftPx - kRightPx;
+    std::string text = before + median + rest;
+    if (estimatedWidth(text, textPx_) > room) text = before + median;
+    if (estimatedWidth(text, textPx_) > room) text = median;
     addText(lines, {kLeftPx, textAt}, text, TextShape::Anchor::Start);
   }
 

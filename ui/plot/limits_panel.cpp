@@ -53,7 +53,8 @@ LimitsPanel::LimitsPanel(const CanvasModels& models, QWidget* parent)
   layout->addWidget(view_, 1);
   now_ = new QLabel(this);
   now_->setObjectName("limits.now");
-  now_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  now_->setWordWrap(true);
+  now_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
   words_ = new QLabel(this);
   words_->setObjectName("limits.words");
   words_->setWordWrap(true);

@@ -35,7 +35,7 @@ SweepPanel::SweepPanel(const CanvasModels& models, QWidget* parent)
   state_ = new QLabel(this);
   state_->setObjectName("sweep.state");
   state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  layout->addWidget(state_);
+  layout->addLayout(buildFooter());
   setFocusProxy(view_);
 
   connect(&source_, &SweepSource::changed, this, &SweepPanel::showState);
@@ -104,15 +104,23 @@ QLayout* SweepPanel::buildTools() {
   play_ = addTool("sweep.play", tr("Play"),
                   tr("Turn the view once around (Space); Esc returns to the view before"));
   connect(play_, &QToolButton::clicked, this, &SweepPanel::togglePlay);
+  for (QWidget* widget : std::initializer_list<QWidget*>{previous, angle_, next, play_, speed_}) {
+    row->addWidget(widget);
+  }
+  row->addStretch(1);
+  return row;
+}
+
+// Below the diagram, so that the panel also fits where type is large.
+QLayout* SweepPanel::buildFooter() {
   QToolButton* all = addTool("sweep.all", tr("All"), tr("Show the whole diagram (F)"));
   connect(all, &QToolButton::clicked, view_, &SweepView::showAll);
   export_ = addTool("sweep.export", tr("Export…"),
                     tr("Write the diagram as SVG, PDF, PNG, TikZ or as a CSV table"));
   connect(export_, &QToolButton::clicked, this, &SweepPanel::exportDiagram);
-  for (QWidget* widget : std::initializer_list<QWidget*>{previous, angle_, next, play_, speed_}) {
-    row->addWidget(widget);
-  }
-  row->addStretch(1);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(3);
+  row->addWidget(state_, 1);
   row->addWidget(all);
   row->addWidget(export_);
   return row;

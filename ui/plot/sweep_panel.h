@@ -33,6 +33,7 @@ class SweepPanel : public QWidget {
 
  private:
   QLayout* buildTools();
+  QLayout* buildFooter();
   QToolButton* addTool(const char* id, const QString& text, const QString& tip);
   void togglePlay();
   void showAngle();
