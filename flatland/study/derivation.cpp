@@ -36,7 +36,7 @@ constexpr std::array<DerivationStepText, kDerivationStepCount> kTexts{{
      "½ (n·j)⁴ dλ/di", "−(n·j)(k·dk/du) − k² (k·j)", kInT},
     {"footnote", "The derivative of an inverse", "D(P⁻¹)", "−P⁻¹ (DP) P⁻¹", "D(P⁻¹)",
      "+P⁻¹ (DP) P⁻¹", kOnScreen},
-    {"4.7", "The derivative of the projection", "DP", "−(Uᵀn)(K r)ᵀ", "DP in principal directions",
+    {"4.7", "The derivative of the projection", "DP", "−(Uᵀn)(K r)ᵀ", "DP, principal",
      "Uᵀ (t₂, −t₁) C(t₁,t₂,r)/Δλ", kOnScreen},
     {"4.8", "The derivative of λ", "D λ", "2 t_A·Qᵀ[(C r)P⁻¹ − K P⁻¹(DP)P⁻¹] t_A", "D λ",
      "2 t_A·Qᵀ[(C r)P⁻¹ + K P⁻¹(DP)P⁻¹] t_A", kOnScreen},

@@ -25,8 +25,8 @@ class FormulaView : public QWidget {
   /// The formula's file among the resources.
   static QString fileOf(DerivationStep step, bool printed);
 
-  QSize sizeHint() const override { return {320, 64}; }
-  QSize minimumSizeHint() const override { return {160, 44}; }
+  QSize sizeHint() const override { return {320, 44}; }
+  QSize minimumSizeHint() const override { return {160, 32}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

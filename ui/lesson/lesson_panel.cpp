@@ -27,12 +27,14 @@ LessonPanel::LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QW
   words_->setFrameShape(QFrame::NoFrame);
   words_->setOpenLinks(false);
   words_->viewport()->setAutoFillBackground(false);
+  // The strip is as high as the person makes it, not as the words would like.
+  words_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   equation_ = new QWidget(this);
   equation_->setLayout(buildEquation());
   plot_ = new StepSizePlot(this);
   auto* row = new QHBoxLayout;
   row->addWidget(words_, 5);
-  row->addWidget(equation_, 6);
+  row->addWidget(equation_, 8);
   row->addWidget(plot_, 4);
   layout->addLayout(row, 1);
 
@@ -108,7 +110,6 @@ QLayout* LessonPanel::buildEquation() {
   values_->setAccessibleName(tr("Values"));
   values_->setToolTip(tr("The values of both sides at the probe"));
   values_->setTextFormat(Qt::RichText);
-  values_->setWordWrap(true);
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(values_);
   return column;
@@ -157,7 +158,9 @@ void LessonPanel::showSwitches() {
 void LessonPanel::showValues() {
   const auto equation = lesson_.equation();
   if (!equation) return;
-  values_->setText(valuesForPeople(*equation, lesson_.reading(), lesson_.isPrinted()));
+  const QString values = valuesForPeople(*equation, lesson_.reading(), lesson_.isPrinted());
+  values_->setWordWrap(!values.startsWith("<table"));
+  values_->setText(values);
   const std::string_view step = textOf(*equation).step;
   plot_->show(lesson_.sweep(), QString::fromUtf8(step.data(), static_cast<qsizetype>(step.size())));
 }

@@ -13,14 +13,15 @@ struct Words {
 };
 
 constexpr int kDigits = 6;
+constexpr int kMatrixDigits = 3;      ///< so that four numbers stand on one line of the strip
 constexpr double kAgreement = 1e-12;  ///< residuals of rounding lie far below, misprints far above
 
 QString plain(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toHtmlEscaped();
 }
 
-QString number(double value) {
-  return QString::number(value, 'g', kDigits).replace('-', QChar(0x2212));
+QString number(double value, int digits) {
+  return QString::number(value, 'g', digits).replace('-', QChar(0x2212));
 }
 
 QString valueText(const StepValue& value) {
@@ -28,7 +29,8 @@ QString valueText(const StepValue& value) {
   for (int r = 0; r < value.rows; ++r) {
     QStringList row;
     for (int c = 0; c < value.columns; ++c) {
-      row << number(value.entries[static_cast<std::size_t>(r * value.columns + c)]);
+      row << number(value.entries[static_cast<std::size_t>(r * value.columns + c)],
+                    value.columns > 1 ? kMatrixDigits : kDigits);
     }
     rows << row.join("&nbsp;&nbsp;");
   }
@@ -68,7 +70,8 @@ QString valuesForPeople(DerivationStep step, const std::optional<StepReading>& r
                               ? Words::tr("both sides agree")
                               : Words::tr("<b>%1 % apart</b>").arg(100.0 * sides->apart, 0, 'f', 1);
   return QStringLiteral(
-             "<table cellspacing='0'><tr><td>%1&nbsp;</td><td>=&nbsp;%2</td></tr>"
+             "<table cellspacing='0' style='white-space: "
+             "nowrap'><tr><td>%1&nbsp;</td><td>=&nbsp;%2</td></tr>"
              "<tr><td>%3&nbsp;</td><td>=&nbsp;%4</td></tr>"
              "<tr><td>%5&nbsp;</td><td>%6</td></tr></table>")
       .arg(left, valueText(sides->left), right, valueText(sides->right),

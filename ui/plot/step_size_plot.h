@@ -23,7 +23,7 @@ class StepSizePlot : public QWidget {
 
   int pointCount() const { return points_; }
 
-  QSize sizeHint() const override { return {250, 150}; }
+  QSize sizeHint() const override { return {250, 110}; }
   QSize minimumSizeHint() const override { return {170, 100}; }
 
  protected:
