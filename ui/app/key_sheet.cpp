@@ -58,14 +58,6 @@ std::vector<Section> gestures() {
        {{KeySheet::tr("Left, Right"), KeySheet::tr("Turn the view by 1°")},
         {KeySheet::tr("Shift, Ctrl + the same"), KeySheet::tr("By 0.1°, to the next event")},
         {KeySheet::tr("Space"), KeySheet::tr("Turn once around; Esc goes back")}}},
-      {KeySheet::tr("Files and steps"),
-       {{KeySheet::tr("Ctrl + N, O, S"), KeySheet::tr("New, open, save")},
-        {KeySheet::tr("Ctrl + Shift + S"), KeySheet::tr("Save as")},
-        {KeySheet::tr("Ctrl + E"), KeySheet::tr("Export the picture")},
-        {KeySheet::tr("Ctrl + Z"), KeySheet::tr("Undo")},
-        {KeySheet::tr("Ctrl + Shift + Z, Ctrl + Y"), KeySheet::tr("Redo")},
-        {KeySheet::tr("Page Down, Page Up"), KeySheet::tr("Next step of a lesson, step back")},
-        {KeySheet::tr("H, ?"), KeySheet::tr("This sheet")}}},
   };
 }
 
