@@ -31,7 +31,7 @@ constexpr double kToothLength = 0.06;
 constexpr double kLongestTooth = 1.5;  ///< in R
 
 QColor curvatureColour() {
-  return themePalette() == Palette::Dark ? QColor(0x56, 0xB4, 0xE9) : QColor(0x00, 0x72, 0xB2);
+  return themePalette() != Palette::Light ? QColor(0x56, 0xB4, 0xE9) : QColor(0x00, 0x72, 0xB2);
 }
 
 /// An arrow with its name at the tip, on a veil that keeps it readable: beyond it, or `aside` of
