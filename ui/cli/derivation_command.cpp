@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-
 #include "flatland/features/orientation.h"
-#include "flatland/io/atomic_file.h"
 #include "flatland/io/derivation_text.h"
 #include "ui/cli/command_line.h"
-#include "ui/cli/picture.h"
+#include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
 
 namespace flatland::ui {
@@ -17,13 +14,11 @@ struct Options {
   std::size_t curve = 0;
   double t = 0.5;
   std::optional<double> viewAngleDeg;
-  std::string format = "text";
-  std::string output;
+  ResultOptions result{.format = "text", .output = {}};
 };
 
 int run(const Options& options) {
-  Scene scene = sceneFromArgument(options.scene);
-  if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
+  const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
   if (options.curve >= scene.curves.size()) {
     throw UsageError("--curve " + std::to_string(options.curve) + ": the scene has " +
                      std::to_string(scene.curves.size()) + " curves, counted from 0");
@@ -36,14 +31,10 @@ int run(const Options& options) {
   }
   const ViewFrame frame = frameOf(scene.view);
   const auto rows = derivationRows({curve.shape, options.t, frame, normalSide(curve, frame)});
-  const std::string text = options.format == "json"  ? derivationToJson(rows)
-                           : options.format == "csv" ? derivationToCsv(rows)
-                                                     : derivationToText(rows);
-  if (options.output.empty()) {
-    writeToStandardOutput(text);
-  } else {
-    writeFileAtomically(options.output, text);
-  }
+  const std::string text = options.result.format == "json"  ? derivationToJson(rows)
+                           : options.result.format == "csv" ? derivationToCsv(rows)
+                                                            : derivationToText(rows);
+  writeResult(options.result, text);
   return kDone;
 }
 
@@ -62,11 +53,10 @@ void addDerivationCommand(CLI::App& app, Action& action) {
   command.add_option("--t", options->t, "Where on it: piece number plus parameter, from 0 [0.5]")
       ->type_name("T");
   addViewAngle(command, options->viewAngleDeg);
-  command.add_option("--format", options->format, "text, json or csv [text]")
+  command.add_option("--format", options->result.format, "text, json or csv [text]")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"text", "json", "csv"}).description(""));
-  command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
-      ->type_name("FILE");
+  addOutput(command, options->result);
   command.footer(
       "Examples:\n"
       "  flatland derivation preset:thesis --t 0.3\n"

@@ -48,8 +48,7 @@ FlatFigureOptions figureOptions(const Options& options) {
 
 int run(const Options& options, const std::string& commandLine) {
   requireQtFor(options.output);
-  Scene scene = sceneFromArgument(options.scene);
-  if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
+  const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
   const Figure figure =
       flatFigure(scene, findFeatures(scene), Visibility(scene), figureOptions(options));
   const FigureSource source{

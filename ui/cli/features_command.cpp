@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flatland/io/atomic_file.h"
 #include "flatland/io/features_text.h"
 #include "ui/cli/command_line.h"
-#include "ui/cli/picture.h"
+#include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
 
 namespace flatland::ui {
@@ -12,22 +11,15 @@ namespace {
 struct Options {
   std::string scene;
   std::optional<double> viewAngleDeg;
-  std::string format;  // empty: as the output's name says, else json
-  std::string output;
+  ResultOptions result;
 };
 
 int run(const Options& options) {
-  Scene scene = sceneFromArgument(options.scene);
-  if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
+  const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
   const FeatureSet features = findFeatures(scene);
-  const bool csv =
-      options.format.empty() ? extensionOf(options.output) == ".csv" : options.format == "csv";
-  const std::string text = csv ? featuresToCsv(features) : featuresToJson(features, scene.view);
-  if (options.output.empty()) {
-    writeToStandardOutput(text);
-  } else {
-    writeFileAtomically(options.output, text);
-  }
+  const std::string text =
+      wantsCsv(options.result) ? featuresToCsv(features) : featuresToJson(features, scene.view);
+  writeResult(options.result, text);
   return kDone;
 }
 
@@ -42,12 +34,8 @@ void addFeaturesCommand(CLI::App& app, Action& action) {
       "equation, a residual, and whether it is seen.");
   command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
   addViewAngle(command, options->viewAngleDeg);
-  command
-      .add_option("--format", options->format, "json or csv [csv if -o ends in .csv, else json]")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"json", "csv"}).description(""));
-  command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
-      ->type_name("FILE");
+  addJsonOrCsv(command, options->result);
+  addOutput(command, options->result);
   command.footer(
       "Examples:\n"
       "  flatland features scene.json                           all marks as JSON\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flatland/io/atomic_file.h"
 #include "flatland/io/scene_json.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
 
 namespace flatland::ui {
@@ -10,7 +10,7 @@ namespace {
 
 struct Options {
   std::string source;
-  std::string output;
+  ResultOptions result;
   bool keepSize = false;
 };
 
@@ -18,11 +18,7 @@ int run(const Options& options) {
   const ImportedScene imported =
       importFromArgument(options.source, {.comfortable = !options.keepSize});
   const std::string text = sceneToJson(imported.scene);
-  if (options.output.empty()) {
-    writeToStandardOutput(text);
-  } else {
-    writeFileAtomically(options.output, text);
-  }
+  writeResult(options.result, text);
   noteOnStandardError(options.source, imported);
   return kDone;
 }
@@ -36,8 +32,7 @@ void addImportCommand(CLI::App& app, Action& action) {
       "Make a scene file from the outlines of an SVG drawing. What was done and what was left out\n"
       "is said on standard error.");
   command.add_option("source", options->source, "SVG file (.svg)")->required()->type_name("FILE");
-  command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
-      ->type_name("FILE");
+  addOutput(command, options->result);
   command.add_flag(
       "--keep-size", options->keepSize,
       "Lengths in pixels as in the drawing; without it the scene is scaled by a power\n"

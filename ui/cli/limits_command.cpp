@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-
-#include "flatland/io/atomic_file.h"
 #include "flatland/io/limits_text.h"
 #include "ui/cli/command_line.h"
-#include "ui/cli/picture.h"
+#include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
 
 namespace flatland::ui {
@@ -16,13 +13,11 @@ struct Options {
   std::size_t curve = 0;
   std::optional<double> t;  ///< none: the middle of the curve
   std::optional<double> viewAngleDeg;
-  std::string format;  ///< empty: by the suffix of the output
-  std::string output;
+  ResultOptions result;
 };
 
 int run(const Options& options) {
-  Scene scene = sceneFromArgument(options.scene);
-  if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
+  const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
   if (options.curve >= scene.curves.size()) {
     throw UsageError("the scene has no curve " + std::to_string(options.curve) +
                      "; they are counted from 0");
@@ -38,14 +33,8 @@ int run(const Options& options) {
                       slideIntoSilhouette(scene, curve, t)}) {
     if (found) series.push_back(*found);
   }
-  const bool csv =
-      options.format.empty() ? extensionOf(options.output) == ".csv" : options.format == "csv";
-  const std::string text = csv ? limitsToCsv(series) : limitsToJson(series);
-  if (options.output.empty()) {
-    writeToStandardOutput(text);
-  } else {
-    writeFileAtomically(options.output, text);
-  }
+  const std::string text = wantsCsv(options.result) ? limitsToCsv(series) : limitsToJson(series);
+  writeResult(options.result, text);
   return kDone;
 }
 
@@ -65,13 +54,8 @@ void addLimitsCommand(CLI::App& study, Action& action) {
   command.add_option("--t", options->t, "The point: piece plus parameter [middle of the curve]")
       ->type_name("T");
   addViewAngle(command, options->viewAngleDeg);
-  command
-      .add_option("--format", options->format,
-                  "json or csv [csv if the output's name ends in .csv, else json]")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"json", "csv"}).description(""));
-  command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
-      ->type_name("FILE");
+  addJsonOrCsv(command, options->result);
+  addOutput(command, options->result);
   command.footer(
       "Examples:\n"
       "  flatland study limits preset:thesis --curve 0 --t 0.4\n"

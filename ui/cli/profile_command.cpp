@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flatland/io/atomic_file.h"
 #include "flatland/io/profile_text.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
 
 namespace flatland::ui {
@@ -12,12 +12,11 @@ struct Options {
   std::string scene;
   std::optional<double> viewAngleDeg;
   std::optional<int> curve;
-  std::string output;
+  ResultOptions result;
 };
 
 int run(const Options& options) {
-  Scene scene = sceneFromArgument(options.scene);
-  if (options.viewAngleDeg) scene.view.angleDeg = *options.viewAngleDeg;
+  const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
   const int count = static_cast<int>(scene.curves.size());
   if (options.curve && *options.curve >= count) {
     throw UsageError("--curve " + std::to_string(*options.curve) + ": the scene has " +
@@ -30,11 +29,7 @@ int run(const Options& options) {
     if (!options.curve || *options.curve == i) profiles.push_back(profileOf(scene, features, i));
   }
   const std::string text = profileToCsv(profiles);
-  if (options.output.empty()) {
-    writeToStandardOutput(text);
-  } else {
-    writeFileAtomically(options.output, text);
-  }
+  writeResult(options.result, text);
   return kDone;
 }
 
@@ -52,8 +47,7 @@ void addProfileCommand(CLI::App& app, Action& action) {
   command.add_option("--curve", options->curve, "Only this curve, from 0 [all]")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber.description(""));
-  command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
-      ->type_name("FILE");
+  addOutput(command, options->result);
   command.footer(
       "Examples:\n"
       "  flatland profile scene.json -o profile.csv\n"

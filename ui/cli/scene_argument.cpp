@@ -14,15 +14,21 @@ constexpr std::string_view kPresetPrefix = "preset:";
 
 bool namesPreset(const std::string& argument) { return argument.rfind(kPresetPrefix, 0) == 0; }
 
-}  // namespace
-
-Scene sceneFromArgument(const std::string& argument) {
+Scene sceneAsItIs(const std::string& argument) {
   if (namesPreset(argument)) return presetNamed(argument.substr(kPresetPrefix.size())).scene;
   if (argument == "-") return loadSceneFromStandardInput();
   if (!isSvgName(argument)) return loadScene(argument);
   ImportedScene imported = importFromArgument(argument, {});
   noteOnStandardError(argument, imported);
   return std::move(imported.scene);
+}
+
+}  // namespace
+
+Scene sceneFromArgument(const std::string& argument, std::optional<double> viewAngleDeg) {
+  Scene scene = sceneAsItIs(argument);
+  if (viewAngleDeg) scene.view.angleDeg = *viewAngleDeg;
+  return scene;
 }
 
 ImportedScene importFromArgument(const std::string& argument, const SvgOptions& options) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "flatland/io/svg_file.h"
@@ -14,8 +15,8 @@ inline constexpr const char* kSceneHelp =
 
 /// The scene an argument names: a file, "-" for standard input, or "preset:" and a preset's id. A
 /// name that ends in .svg is imported; what was done and left out is said on standard error.
-/// Throws InputError.
-Scene sceneFromArgument(const std::string& argument);
+/// `viewAngleDeg`, of --view-angle, replaces the direction the scene has. Throws InputError.
+Scene sceneFromArgument(const std::string& argument, std::optional<double> viewAngleDeg = {});
 
 /// The scene made from an SVG file. Throws InputError.
 ImportedScene importFromArgument(const std::string& argument, const SvgOptions& options);

@@ -6,12 +6,11 @@
 #include <iostream>
 #include <thread>
 
-#include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
 #include "flatland/io/offset_table.h"
 #include "flatland/io/study_text.h"
 #include "ui/cli/command_line.h"
-#include "ui/cli/picture.h"
+#include "ui/cli/result_options.h"
 
 namespace flatland::ui {
 
@@ -20,8 +19,7 @@ namespace {
 struct Options {
   OffsetStudyOptions study;
   std::string convention = "arc-length";
-  std::string format;  // empty: by the suffix of the output
-  std::string output;
+  ResultOptions result;
   bool resume = false;
   int threads = 0;
 };
@@ -52,7 +50,7 @@ class Progress {
 
 void writeTable(const Options& options, int threads) {
   Progress progress(options.study.curves);
-  if (options.output.empty()) {
+  if (options.result.output.empty()) {
     std::cout << offsetCsvHeader();
     runOffsetStudy(options.study, 0, threads, [&](const CurveOffsets& curve) {
       std::cout << offsetCsvRow(curve, options.study.convention);
@@ -64,7 +62,7 @@ void writeTable(const Options& options, int threads) {
     return;
   }
   OffsetTable table(
-      options.output, options.study,
+      options.result.output, options.study,
       options.resume ? OffsetTable::Existing::Continue : OffsetTable::Existing::Refuse);
   runOffsetStudy(options.study, table.rows(), threads, [&](const CurveOffsets& curve) {
     table.add(curve);
@@ -89,20 +87,16 @@ int run(Options options) {
   options.study.convention = *termConventionNamed(options.convention);
   if (const auto why = options.study.whyInvalid())
     throw UsageError(*why + " (see flatland study offset --help)");
-  if (options.format.empty()) {
-    options.format = extensionOf(options.output) == ".csv" ? "csv" : "json";
-  }
-  if (options.resume && (options.format != "csv" || options.output.empty())) {
+  const bool csv = wantsCsv(options.result);
+  if (options.resume && (!csv || options.result.output.empty())) {
     throw UsageError("--resume needs a table: -o FILE.csv, or --format csv and -o FILE");
   }
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = options.threads > 0 ? options.threads : std::max(1, cores);
-  if (options.format == "csv") {
+  if (csv) {
     writeTable(options, threads);
-  } else if (options.output.empty()) {
-    writeToStandardOutput(summaryText(options, threads));
   } else {
-    writeFileAtomically(options.output, summaryText(options, threads));
+    writeResult(options.result, summaryText(options, threads));
   }
   return kDone;
 }
@@ -137,13 +131,8 @@ void addStudyCommand(CLI::App& app, Action& action) {
           "as the derivative too. Only the first does not depend on --scale")
       ->type_name("NAME")
       ->check(CLI::IsMember({"arc-length", "parameter", "unnormalised"}).description(""));
-  command
-      .add_option("--format", options->format,
-                  "json or csv [csv if the output's name ends in .csv, else json]")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"json", "csv"}).description(""));
-  command.add_option("-o,--output", options->output, "Write to this file, not to standard output")
-      ->type_name("FILE");
+  addJsonOrCsv(command, options->result);
+  addOutput(command, options->result);
   command.add_flag("--resume", options->resume, "Continue an interrupted CSV file");
   command.add_option("--threads", options->threads, "Threads [all cores]")
       ->type_name("N")
