@@ -19,16 +19,9 @@ struct Options {
 
 int run(const Options& options) {
   const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
-  if (options.curve >= scene.curves.size()) {
-    throw UsageError("--curve " + std::to_string(options.curve) + ": the scene has " +
-                     std::to_string(scene.curves.size()) + " curves, counted from 0");
-  }
+  requireCurve(scene, options.curve);
   const SceneCurve& curve = scene.curves[options.curve];
-  const double end = pieceCount(curve.shape);
-  if (!(options.t >= 0.0 && options.t <= end)) {
-    throw UsageError("--t must lie between 0 and " + std::to_string(pieceCount(curve.shape)) +
-                     " on this curve");
-  }
+  requirePlace(curve, options.t);
   const ViewFrame frame = frameOf(scene.view);
   const auto rows = derivationRows({curve.shape, options.t, frame, normalSide(curve, frame)});
   const std::string text = options.result.format == "json"  ? derivationToJson(rows)

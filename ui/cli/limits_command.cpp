@@ -18,15 +18,10 @@ struct Options {
 
 int run(const Options& options) {
   const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
-  if (options.curve >= scene.curves.size()) {
-    throw UsageError("the scene has no curve " + std::to_string(options.curve) +
-                     "; they are counted from 0");
-  }
-  const double end = pieceCount(scene.curves[options.curve].shape);
-  const double t = options.t.value_or(0.5 * end);
-  if (!(t >= 0.0 && t <= end)) {
-    throw UsageError("--t must lie between 0 and the number of the curve's pieces");
-  }
+  requireCurve(scene, options.curve);
+  const SceneCurve& shape = scene.curves[options.curve];
+  const double t = options.t.value_or(0.5 * pieceCount(shape.shape));
+  requirePlace(shape, t);
   const int curve = static_cast<int>(options.curve);
   std::vector<LimitSeries> series;
   for (auto& found : {turnToSilhouette(scene, curve, t), walkToSilhouette(scene, curve, t),

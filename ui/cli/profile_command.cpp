@@ -17,12 +17,8 @@ struct Options {
 
 int run(const Options& options) {
   const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
+  if (options.curve) requireCurve(scene, static_cast<std::size_t>(*options.curve));
   const int count = static_cast<int>(scene.curves.size());
-  if (options.curve && *options.curve >= count) {
-    throw UsageError("--curve " + std::to_string(*options.curve) + ": the scene has " +
-                     std::to_string(count) + (count == 1 ? " curve" : " curves") +
-                     ", counted from 0");
-  }
   const FeatureSet features = findFeatures(scene);
   std::vector<Profile> profiles;
   for (int i = 0; i < count; ++i) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "flatland/io/scene_json.h"
+#include "ui/cli/command_line.h"
 
 namespace flatland::ui {
 
@@ -29,6 +30,19 @@ Scene sceneFromArgument(const std::string& argument, std::optional<double> viewA
   Scene scene = sceneAsItIs(argument);
   if (viewAngleDeg) scene.view.angleDeg = *viewAngleDeg;
   return scene;
+}
+
+void requireCurve(const Scene& scene, std::size_t curve) {
+  const std::size_t count = scene.curves.size();
+  if (curve < count) return;
+  throw UsageError("--curve " + std::to_string(curve) + ": the scene has " + std::to_string(count) +
+                   (count == 1 ? " curve" : " curves") + ", counted from 0");
+}
+
+void requirePlace(const SceneCurve& curve, double t) {
+  const int end = pieceCount(curve.shape);
+  if (t >= 0.0 && t <= end) return;
+  throw UsageError("--t must lie between 0 and " + std::to_string(end) + " on this curve");
 }
 
 ImportedScene importFromArgument(const std::string& argument, const SvgOptions& options) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,13 @@ inline constexpr const char* kSceneHelp =
 /// name that ends in .svg is imported; what was done and left out is said on standard error.
 /// `viewAngleDeg`, of --view-angle, replaces the direction the scene has. Throws InputError.
 Scene sceneFromArgument(const std::string& argument, std::optional<double> viewAngleDeg = {});
+
+/// Throws UsageError, which says how many curves there are, if the scene has no curve of this
+/// number.
+void requireCurve(const Scene& scene, std::size_t curve);
+
+/// Throws UsageError unless 0 <= t <= the number of the curve's pieces. For --t.
+void requirePlace(const SceneCurve& curve, double t);
 
 /// The scene made from an SVG file. Throws InputError.
 ImportedScene importFromArgument(const std::string& argument, const SvgOptions& options);
