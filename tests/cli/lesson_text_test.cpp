@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -102,6 +103,44 @@ TEST(LessonText, TheDocumentedExampleAndTheShippedLessonsAreRead) {
     for (const LessonStep& step : lesson.steps) EXPECT_FALSE(step.text.empty()) << step.title;
   }
   EXPECT_THROW(loadLesson(root + "/nowhere.md"), InputError);
+}
+
+/// The blocks between ```flatland and ```, one after the other.
+std::string blocksOf(const std::string& file) {
+  std::ifstream in(file);
+  std::string blocks;
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("```", 0) == 0) inside = line == "```flatland";
+    if (inside) blocks += line + '\n';
+  }
+  return blocks;
+}
+
+// A translation has other words and nothing else: step for step it shows the same.
+TEST(LessonText, TheGermanLessonsShowWhatTheEnglishOnesShow) {
+  const std::string folder = std::string(FLATLAND_SOURCES) + "/ui/lesson/lessons/";
+  int lessons = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".md") continue;
+    ++lessons;
+    const std::string translated = folder + "de/" + entry.path().filename().string();
+    const Lesson english = loadLesson(entry.path());
+    const Lesson german = loadLesson(translated);
+    EXPECT_NE(german.title, english.title);
+    ASSERT_EQ(german.steps.size(), english.steps.size()) << translated;
+    for (std::size_t i = 0; i < german.steps.size(); ++i) {
+      const LessonStep& step = german.steps[i];
+      EXPECT_FALSE(step.text.empty()) << step.title;
+      EXPECT_NE(step.title, english.steps[i].title);
+      EXPECT_NE(step.text, english.steps[i].text) << step.title;
+      EXPECT_EQ(step.stop, english.steps[i].stop) << step.title;
+      EXPECT_EQ(step.state.equation, english.steps[i].state.equation) << step.title;
+      EXPECT_EQ(step.state.printed, english.steps[i].state.printed) << step.title;
+    }
+    EXPECT_EQ(blocksOf(translated), blocksOf(entry.path().string())) << translated;
+  }
+  EXPECT_EQ(lessons, 3);
 }
 
 }  // namespace

@@ -335,12 +335,22 @@ class ClassroomTest : public QObject {
                    parameter.meaning.c_str());
         }
       }
+      // So do the lessons.
+      driver.trigger("lesson.shipped.silhouette");
+      QCOMPARE(driver.child<QAction>("lesson.shipped.silhouette").text(),
+               "Was ist eine Silhouette in Flatland");
+      QCOMPARE(QString::fromStdString(driver.window().lesson().step().title),
+               "Eine Welt mit zwei Dimensionen");
+      driver.window().lesson().leave();
       // A number that is typed or shown has a point in every language.
       QVERIFY(driver.child<QWidget>("view.angle").property("text").toString().contains('.'));
     }
     installLanguage("en");
     WindowDriver driver;
     QCOMPARE(driver.child<QAction>("file.open").text(), "&Open…");
+    driver.trigger("lesson.shipped.silhouette");
+    QCOMPARE(QString::fromStdString(driver.window().lesson().step().title),
+             "A world of two dimensions");
   }
 
   void remembersTheLanguageForTheNextStart() {

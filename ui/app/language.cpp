@@ -13,6 +13,7 @@ namespace flatland::ui {
 namespace {
 
 constexpr char kKey[] = "window/language";
+constexpr char kInstalled[] = "flatland.language";  // a property of the application
 const QString kSystem = QStringLiteral("system");
 
 bool isKnown(const QString& code) {
@@ -59,6 +60,12 @@ void installLanguage(const QString& code) {
   const QString language = isKnown(code) ? code : systemLanguage();
   load("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
   load("flatland_" + language, ":/translations");
+  qApp->setProperty(kInstalled, language);
+}
+
+QString installedLanguage() {
+  const QString language = qApp->property(kInstalled).toString();
+  return language.isEmpty() ? QStringLiteral("en") : language;
 }
 
 }  // namespace flatland::ui

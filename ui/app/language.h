@@ -24,4 +24,7 @@ void chooseLanguage(QSettings& settings, const QString& code);
 /// made. Numbers are written with a point in every language: they go to files, tables and programs.
 void installLanguage(const QString& code);
 
+/// The code of the language that is installed; "en" before any is.
+QString installedLanguage();
+
 }  // namespace flatland::ui

@@ -61,7 +61,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
              .lesson = lesson_,
              .settings = settings_});
   files_ = new FileController(*this, document_, *messages_, settings_);
-  lessons_ = new LessonFiles(*this, lesson_, settings_);
+  lessons_ = new LessonFiles(*this, lesson_, installedLanguage(), settings_);
   edits_ = new EditController(models(), this);
   resize(kDefaultSize);
   pictureBar_ = addToolBar(tr("Picture"));

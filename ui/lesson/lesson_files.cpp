@@ -5,9 +5,9 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QSettings>
 #include <QWidget>
+#include <utility>
 
 #include "flatland/io/input_error.h"
 
@@ -33,16 +33,20 @@ Lesson read(const QString& name) {
 
 }  // namespace
 
-LessonFiles::LessonFiles(QWidget& window, LessonModel& lesson, QSettings* settings)
-    : QObject(&window), window_(window), lesson_(lesson), settings_(settings) {
+LessonFiles::LessonFiles(QWidget& window, LessonModel& lesson, QString language,
+                         QSettings* settings)
+    : QObject(&window),
+      window_(window),
+      lesson_(lesson),
+      language_(std::move(language)),
+      settings_(settings) {
   initLessonResources();
 }
 
 QList<LessonFiles::Shipped> LessonFiles::shipped() const {
   QList<Shipped> list;
-  const QString language = QLocale().name().section('_', 0, 0);
   for (const char* id : {"silhouette", "apparent-ridge", "offset"}) {
-    const QString translated = QString(kFolder) + language + "/" + id + ".md";
+    const QString translated = QString(kFolder) + language_ + "/" + id + ".md";
     const QString file = QFile::exists(translated) ? translated : QString(kFolder) + id + ".md";
     list << Shipped{file, QString::fromStdString(read(file).title)};
   }

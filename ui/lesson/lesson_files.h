@@ -17,14 +17,15 @@ class LessonFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// `settings` remembers recent files; null: nothing is remembered.
-  LessonFiles(QWidget& window, LessonModel& lesson, QSettings* settings);
+  /// `language` is the code of the window's language. `settings` remembers recent files; null:
+  /// nothing is remembered.
+  LessonFiles(QWidget& window, LessonModel& lesson, QString language, QSettings* settings);
 
   struct Shipped {
     QString file;
     QString title;
   };
-  /// In the language of the person where there is a translation (a folder of the language's name
+  /// In the language of the window where there is a translation (a folder of the language's code
   /// beside them), else in English.
   QList<Shipped> shipped() const;
 
@@ -41,6 +42,7 @@ class LessonFiles : public QObject {
  private:
   QWidget& window_;
   LessonModel& lesson_;
+  QString language_;
   QSettings* settings_;
 };
 
