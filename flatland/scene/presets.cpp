@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "flatland/scene/degenerate_presets.h"
 #include "flatland/scene/scene.h"
 
 namespace flatland {
@@ -68,7 +69,11 @@ std::vector<Preset> makePresets() {
               {90.0, std::nullopt})},
       {"cusp", "Cusp",
        "A cubic whose speed vanishes at t = 1/2: the tangent turns back, a corner of 180 degrees.",
-       single({{-1.0, -0.8}, {1.0, 0.8}, {-1.0, 0.8}, {1.0, -0.8}}, {30.0, std::nullopt})},
+       single({{-1.0, -0.8}, {1.0, 0.8}, {-1.0, 0.8}, {1.0, -0.8}}, {30.0, std::nullopt}),
+       kDegenerateGroup,
+       "One corner of 180 degrees at the tip, which is a silhouette too because the image folds "
+       "there, and one apparent minimum near the lower left end. No ridge: at the tip curvature is "
+       "infinite and changes sign."},
       {"loop", "Loop", "A curve that crosses itself and hides part of itself from the screen.",
        loop()},
   };
@@ -78,6 +83,15 @@ std::vector<Preset> makePresets() {
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = makePresets();
+  return all;
+}
+
+const std::vector<Preset>& allPresets() {
+  static const std::vector<Preset> all = [] {
+    std::vector<Preset> both = presets();
+    for (Preset& preset : degeneratePresets()) both.push_back(std::move(preset));
+    return both;
+  }();
   return all;
 }
 

@@ -30,17 +30,24 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// A built-in scene, named for the command line and the menu.
+/// A built-in scene, named for the command line and the menu. "Degenerate cases" are those in which
+/// a textbook formula has no answer; what the program answers is written in docs/math/features.md
+/// and here in `expected`, and each has a test.
 struct Preset {
-  std::string id;    ///< stable, lower case: "thesis", "circle", "s-curve", "bump", "cusp", "loop"
-  std::string name;  ///< for people
+  std::string id;           ///< stable, lower case: "thesis", "s-curve"
+  std::string name;         ///< for people
   std::string description;  ///< one sentence: what there is to see
   Scene scene;
+  std::string group = "Examples";  ///< for people: presets of one group stand together
+  std::string expected = {};       ///< for people: the marks there must be; empty for an example
 };
 
-/// The presets in menu order; the first is the default scene, which shows every kind of mark a
-/// smooth curve has.
+/// The presets that are worth looking at for themselves, in menu order; the first is the default
+/// scene, which shows every kind of mark a smooth curve has.
 const std::vector<Preset>& presets();
+
+/// These and the catalogue of degenerate cases.
+const std::vector<Preset>& allPresets();
 
 /// presets().front().scene
 const Scene& defaultScene();

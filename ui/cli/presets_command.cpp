@@ -11,9 +11,9 @@ namespace {
 
 std::string listOfPresets() {
   std::size_t longest = 0;
-  for (const Preset& preset : presets()) longest = std::max(longest, preset.id.size());
+  for (const Preset& preset : allPresets()) longest = std::max(longest, preset.id.size());
   std::string list;
-  for (const Preset& preset : presets()) {
+  for (const Preset& preset : allPresets()) {
     list += preset.id + std::string(longest + 2 - preset.id.size(), ' ') + preset.name + ". " +
             preset.description + "\n";
   }

@@ -57,7 +57,7 @@ bool namesFile(const std::string& argument) { return argument != "-" && !namesPr
 
 const Preset& presetNamed(const std::string& id) {
   std::string known;
-  for (const Preset& preset : presets()) {
+  for (const Preset& preset : allPresets()) {
     if (preset.id == id) return preset;
     known += (known.empty() ? "" : ", ") + preset.id;
   }
