@@ -76,7 +76,7 @@ std::vector<Preset> degeneratePresets() {
                  "valleys at x = -+(1/56)^(1/6) = 0.511, apparent ridges at x = -+(1/32)^(1/6) = "
                  "0.561."),
       degenerate("double-root", "Double root of k'",
-                 "A curve that bends ever more from left to right; at the middle the growth stops, "
+                 "A curve that bends ever less from left to right; at the middle the loss stops, "
                  "k' = k'' = 0, and goes on.",
                  bezier({{-3, -1.6875}, {-1.5, -1.6875}, {0, 0.0625}, {1.5, 0.5625}, {3, 5.8125}}),
                  90.0,

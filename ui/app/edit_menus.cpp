@@ -76,6 +76,13 @@ void buildCurveMenu(QMenu& menu, const MenuParts& parts) {
                 }
               });
   }
+  ImportController& imports = parts.imports;
+  addAction(menu,
+            {"curve.import-glyph",
+             EditMenusWords::tr("Import &Glyph…"),
+             EditMenusWords::tr("Add the outline of a letter to this scene"),
+             {QKeySequence(Qt::CTRL | Qt::Key_G)}},
+            [&imports] { imports.importGlyph(); });
   QAction* remove = addAction(menu,
                               {"curve.remove", EditMenusWords::tr("&Remove Curve"),
                                EditMenusWords::tr("Remove the curve picked last")},

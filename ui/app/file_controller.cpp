@@ -11,6 +11,7 @@
 #include "flatland/io/input_error.h"
 #include "ui/app/message_bar.h"
 #include "ui/app/paths.h"
+#include "ui/import/shown_svg.h"
 #include "ui/model/core_words.h"
 
 namespace flatland::ui {
@@ -47,19 +48,29 @@ void FileController::startPreset(const Preset& preset) {
   if (!mayDiscard()) return;
   messages_.hide();
   document_.start(preset.scene, presetName(preset));
+  if (!preset.expected.empty())
+    messages_.showNote(tr("Expected: %1").arg(coreWords(preset.expected)));
 }
 
 void FileController::open() {
   const QString folder = QFileInfo(suggestedName()).path();
-  const QString name = QFileDialog::getOpenFileName(&window_, tr("Open scene"), folder, filter());
+  const QString name = QFileDialog::getOpenFileName(
+      &window_, tr("Open scene"), folder, tr("Scenes and drawings (*.json *.svg);;All files (*)"));
   if (!name.isEmpty()) openFile(name);
 }
 
 void FileController::openFile(const QString& name) {
   if (!mayDiscard()) return;
   try {
-    document_.open(toPath(name));
-    messages_.hide();
+    if (isSvgName(name.toStdString())) {
+      // A drawing starts a scene of its own: saving must not replace the drawing.
+      ImportedScene imported = loadSvgToShow(name);
+      document_.start(std::move(imported.scene), QFileInfo(name).fileName());
+      messages_.showNote(QString::fromStdString(imported.note()));
+    } else {
+      document_.open(toPath(name));
+      messages_.hide();
+    }
     remember(name);
   } catch (const InputError& error) {
     messages_.showError(QString::fromStdString(error.what()));

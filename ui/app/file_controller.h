@@ -24,8 +24,10 @@ class FileController : public QObject {
   FileController(QWidget& window, Document& document, MessageBar& messages, QSettings* settings);
 
   void startNew();
+  /// Says the answer expected, where the preset has one.
   void startPreset(const Preset& preset);
   void open();  ///< asks which file
+  /// A scene; or a drawing (.svg), which starts an unnamed scene.
   void openFile(const QString& name);
   bool save();  ///< asks for a name if there is none; false if not saved
   bool saveAs();

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
+#include <map>
 
 #include "ui/app/menus.h"
 #include "ui/model/core_words.h"
@@ -45,9 +46,16 @@ void fillRecent(QMenu& menu, FileController& files) {
   }
 }
 
+/// One submenu for each group, in the order of the presets.
 void fillPresets(QMenu& menu, FileController& files) {
-  for (const Preset& preset : presets()) {
-    addAction(menu, {"file.preset", presetName(preset), coreWords(preset.description)},
+  std::map<std::string, QMenu*> groups;
+  for (const Preset& preset : allPresets()) {
+    QMenu*& group = groups[preset.group];
+    if (!group) {
+      group = &addSubmenu(menu, "", coreWords(preset.group));
+      group->setObjectName("menu.file.presets." + QString::number(groups.size()));
+    }
+    addAction(*group, {"file.preset", presetName(preset), coreWords(preset.description)},
               [&files, &preset] { files.startPreset(preset); })
         ->setObjectName("file.preset." + QString::fromStdString(preset.id));
   }
@@ -66,9 +74,16 @@ void buildFileMenu(QMenu& menu, const MenuParts& parts) {
   addAction(menu,
             {"file.open",
              FileMenuWords::tr("&Open…"),
-             FileMenuWords::tr("Open a scene file"),
+             FileMenuWords::tr("Open a scene file or an SVG drawing"),
              {QKeySequence::Open}},
             [&files] { files.open(); });
+  ImportController& imports = parts.imports;
+  addAction(menu,
+            {"file.import-svg",
+             FileMenuWords::tr("&Import SVG…"),
+             FileMenuWords::tr("Add the outlines of a drawing to this scene"),
+             {QKeySequence(Qt::CTRL | Qt::Key_I)}},
+            [&imports] { imports.importSvg(); });
   QMenu& recent = addSubmenu(menu, "menu.file.recent", FileMenuWords::tr("Open &Recent"));
   QObject::connect(&recent, &QMenu::aboutToShow, &recent,
                    [&recent, &files] { fillRecent(recent, files); });

@@ -63,6 +63,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
   files_ = new FileController(*this, document_, *messages_, settings_);
   lessons_ = new LessonFiles(*this, lesson_, installedLanguage(), settings_);
   edits_ = new EditController(models(), this);
+  imports_ = new ImportController(*this, models(), *messages_);
   resize(kDefaultSize);
   pictureBar_ = addToolBar(tr("Picture"));
   pictureBar_->setObjectName("picture-bar");
@@ -106,6 +107,7 @@ void MainWindow::buildMenuBar() {
               .plots = plots_,
               .lesson = lesson_,
               .lessons = *lessons_,
+              .imports = *imports_,
               .docks = docks_->all(),
               .exportFigure = [this] { exportFigure(); },
               .showKeys = [this] { showKeys(); },

@@ -7,6 +7,7 @@
 #include "ui/app/docks.h"
 #include "ui/app/edit_controller.h"
 #include "ui/app/file_controller.h"
+#include "ui/app/import_controller.h"
 #include "ui/flat/canvas.h"
 #include "ui/lesson/lesson_files.h"
 #include "ui/model/plots.h"
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   FileController& files() { return *files_; }
   LessonModel& lesson() { return lesson_; }
   LessonFiles& lessons() { return *lessons_; }
+  ImportController& imports() { return *imports_; }
 
   void showKeys();
   void exportFigure();
@@ -84,6 +86,7 @@ class MainWindow : public QMainWindow {
   FileController* files_ = nullptr;
   LessonFiles* lessons_ = nullptr;
   EditController* edits_ = nullptr;
+  ImportController* imports_ = nullptr;
   KeySheet* keys_ = nullptr;
 };
 

@@ -7,6 +7,7 @@
 
 #include "ui/app/edit_controller.h"
 #include "ui/app/file_controller.h"
+#include "ui/app/import_controller.h"
 #include "ui/flat/canvas.h"
 #include "ui/lesson/lesson_files.h"
 
@@ -31,6 +32,7 @@ struct MenuParts {
   Plots& plots;
   LessonModel& lesson;
   LessonFiles& lessons;
+  ImportController& imports;
   QList<QDockWidget*> docks;
   std::function<void()> exportFigure;
   std::function<void()> showKeys;

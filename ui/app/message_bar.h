@@ -7,8 +7,9 @@ class QLabel;
 
 namespace flatland::ui {
 
-/// The one place where the window reports what went wrong: a bar above the canvas that asks for
-/// nothing and goes away by its button or with the next success.
+/// The one place where the window reports what went wrong, or what to know of the scene just
+/// opened: a bar above the canvas that asks for nothing and goes away by its button or with the
+/// next success.
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -16,9 +17,13 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showError(const QString& text);
+  void showNote(const QString& text);  ///< in quieter colours
   QString text() const;
 
  private:
+  void show(const QString& text, bool isError);
+
+  QLabel* symbol_;
   QLabel* label_;
 };
 

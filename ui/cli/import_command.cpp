@@ -29,9 +29,11 @@ void addImportCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand(
       "import",
-      "Make a scene file from the outlines of an SVG drawing. What was done and what was left out\n"
-      "is said on standard error.");
-  command.add_option("source", options->source, "SVG file (.svg)")->required()->type_name("FILE");
+      "Make a scene file from the outlines of an SVG drawing or of a letter of a font. What was\n"
+      "done and what was left out is said on standard error.");
+  command.add_option("source", options->source, "SVG file, or glyph:FAMILY:CHARACTER")
+      ->required()
+      ->type_name("SOURCE");
   addOutput(command, options->result);
   command.add_flag(
       "--keep-size", options->keepSize,
@@ -40,7 +42,8 @@ void addImportCommand(CLI::App& app, Action& action) {
   command.footer(
       "Examples:\n"
       "  flatland import drawing.svg -o scene.json\n"
-      "  flatland import drawing.svg --keep-size | flatland features -\n");
+      "  flatland import drawing.svg --keep-size | flatland features -\n"
+      "  flatland import \"glyph:DejaVu Sans:a\" -o a.json\n");
   command.final_callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

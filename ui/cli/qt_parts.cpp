@@ -8,10 +8,13 @@
 
 #include "ui/app/app.h"
 #include "ui/export/figure_qt.h"
+#include "ui/import/glyph.h"
 
 namespace flatland::ui {
 
 namespace {
+
+constexpr char kPlatform[] = "QT_QPA_PLATFORM";
 
 /// The arguments Qt gets to see: the program's name only, since the rest was read before.
 struct QtArguments {
@@ -31,19 +34,31 @@ void passMessage(QtMsgType type, const QMessageLogContext&, const QString& messa
   if (type == QtFatalMsg) std::abort();
 }
 
-/// Fonts need a QGuiApplication, but a file needs no display, nor should a broken one stop it.
-template <class Write>
-std::string withoutDisplay(const Write& write) {
+/// Fonts need a QGuiApplication, but a file needs no display, nor should a broken one stop it. What
+/// comes afterwards chooses its own platform.
+template <class Make>
+auto withoutDisplay(const Make& make) {
   qInstallMessageHandler(passMessage);
-  qputenv("QT_QPA_PLATFORM", "offscreen");
+  const bool isSet = qEnvironmentVariableIsSet(kPlatform);
+  const QByteArray before = qgetenv(kPlatform);
+  qputenv(kPlatform, "offscreen");
   QtArguments arguments;
   const QGuiApplication application(arguments.argc, arguments.argv);
-  return write();
+  if (isSet) {
+    qputenv(kPlatform, before);
+  } else {
+    qunsetenv(kPlatform);
+  }
+  return make();
 }
 
 }  // namespace
 
 void requireQt(const std::string&, const std::string&) {}
+
+ImportedScene glyphWithQt(const std::string& argument) {
+  return withoutDisplay([&] { return glyphScene(glyphNamed(argument)); });
+}
 
 std::string pdfWithQt(const Figure& figure, const FigureSource& source) {
   return withoutDisplay([&] { return figureToPdf(figure, source); });

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "flatland/io/svg_file.h"
 #include "ui/app/app.h"
 #include "ui/export/figure.h"
 
@@ -16,8 +17,10 @@ namespace flatland::ui {
 /// without Qt.
 void requireQt(const std::string& what, const std::string& instead);
 
-/// See ui/export/figure_qt.h. No display is needed or used. Call one of these functions, once, in a
-/// process.
+/// See ui/import/glyph.h. No display is needed or used.
+ImportedScene glyphWithQt(const std::string& argument);
+
+/// See ui/export/figure_qt.h. No display is needed or used.
 std::string pdfWithQt(const Figure& figure, const FigureSource& source);
 std::string pngWithQt(const Figure& figure, const FigureSource& source, double dpi);
 

@@ -15,6 +15,10 @@ namespace {
 
 void requireQt(const std::string& what, const std::string& instead) { refuse(what, instead); }
 
+ImportedScene glyphWithQt(const std::string&) {
+  refuse("A glyph", "save its outline as SVG and import that");
+}
+
 std::string pdfWithQt(const Figure&, const FigureSource&) { refuse("PDF", "write SVG"); }
 
 std::string pngWithQt(const Figure&, const FigureSource&, double) { refuse("PNG", "write SVG"); }

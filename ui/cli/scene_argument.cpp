@@ -6,19 +6,22 @@
 
 #include "flatland/io/scene_json.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/qt_parts.h"
 
 namespace flatland::ui {
 
 namespace {
 
 constexpr std::string_view kPresetPrefix = "preset:";
+constexpr std::string_view kGlyphPrefix = "glyph:";
 
 bool namesPreset(const std::string& argument) { return argument.rfind(kPresetPrefix, 0) == 0; }
+bool namesGlyph(const std::string& argument) { return argument.rfind(kGlyphPrefix, 0) == 0; }
 
 Scene sceneAsItIs(const std::string& argument) {
   if (namesPreset(argument)) return presetNamed(argument.substr(kPresetPrefix.size())).scene;
   if (argument == "-") return loadSceneFromStandardInput();
-  if (!isSvgName(argument)) return loadScene(argument);
+  if (!namesGlyph(argument) && !isSvgName(argument)) return loadScene(argument);
   ImportedScene imported = importFromArgument(argument, {});
   noteOnStandardError(argument, imported);
   return std::move(imported.scene);
@@ -46,14 +49,16 @@ void requirePlace(const SceneCurve& curve, double t) {
 }
 
 ImportedScene importFromArgument(const std::string& argument, const SvgOptions& options) {
-  return loadSvg(argument, options);
+  return namesGlyph(argument) ? glyphWithQt(argument) : loadSvg(argument, options);
 }
 
 void noteOnStandardError(const std::string& argument, const ImportedScene& imported) {
   std::fprintf(stderr, "flatland: %s: %s\n", argument.c_str(), imported.note().c_str());
 }
 
-bool namesFile(const std::string& argument) { return argument != "-" && !namesPreset(argument); }
+bool namesFile(const std::string& argument) {
+  return argument != "-" && !namesPreset(argument) && !namesGlyph(argument);
+}
 
 const Preset& presetNamed(const std::string& id) {
   std::string known;

@@ -12,11 +12,12 @@ namespace flatland::ui {
 
 /// What SCENE means, for the help texts.
 inline constexpr const char* kSceneHelp =
-    "Scene file, SVG file (.svg), - for standard input, or preset:NAME";
+    "Scene file, SVG file (.svg), - for standard input, preset:NAME or glyph:FAMILY:CHARACTER";
 
-/// The scene an argument names: a file, "-" for standard input, or "preset:" and a preset's id. A
-/// name that ends in .svg is imported; what was done and left out is said on standard error.
-/// `viewAngleDeg`, of --view-angle, replaces the direction the scene has. Throws InputError.
+/// The scene an argument names: a file, "-" for standard input, "preset:" and a preset's id, or
+/// "glyph:FAMILY:CHARACTER". A glyph and a name that ends in .svg are imported; what was done and
+/// left out is said on standard error. `viewAngleDeg`, of --view-angle, replaces the direction the
+/// scene has. Throws InputError; UsageError for a glyph without Qt.
 Scene sceneFromArgument(const std::string& argument, std::optional<double> viewAngleDeg = {});
 
 /// Throws UsageError, which says how many curves there are, if the scene has no curve of this
@@ -26,7 +27,7 @@ void requireCurve(const Scene& scene, std::size_t curve);
 /// Throws UsageError unless 0 <= t <= the number of the curve's pieces. For --t.
 void requirePlace(const SceneCurve& curve, double t);
 
-/// The scene made from an SVG file. Throws InputError.
+/// The scene made from an SVG file or a glyph, to which `options` do not apply. Throws as above.
 ImportedScene importFromArgument(const std::string& argument, const SvgOptions& options);
 
 /// "flatland: FILE: what was done; what was left out", one line.

@@ -52,6 +52,12 @@ std::vector<SceneCurve> flipped(std::vector<SceneCurve> curves, std::size_t inde
   return curves;
 }
 
+std::vector<SceneCurve> withCurves(std::vector<SceneCurve> curves,
+                                   const std::vector<SceneCurve>& more) {
+  curves.insert(curves.end(), more.begin(), more.end());
+  return curves;
+}
+
 std::vector<SceneCurve> withCurve(std::vector<SceneCurve> curves, SceneCurve curve) {
   curves.push_back(std::move(curve));
   return curves;
@@ -154,6 +160,11 @@ RemovePoints::RemovePoints(Document& document, PointRemoval removal)
 AddCurve::AddCurve(Document& document, SceneCurve curve)
     : CurvesCommand(document, withCurve(document.scene().curves, std::move(curve))) {
   setText(tr("add curve"));
+}
+
+AddCurves::AddCurves(Document& document, const std::vector<SceneCurve>& curves, const QString& text)
+    : CurvesCommand(document, withCurves(document.scene().curves, curves)) {
+  setText(text);
 }
 
 RemoveCurve::RemoveCurve(Document& document, std::size_t curve)

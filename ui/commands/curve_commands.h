@@ -114,6 +114,12 @@ class AddCurve : public CurvesCommand {
   AddCurve(Document& document, SceneCurve curve);
 };
 
+/// Adds several curves at the end, as one step. `text` names it.
+class AddCurves : public CurvesCommand {
+ public:
+  AddCurves(Document& document, const std::vector<SceneCurve>& curves, const QString& text);
+};
+
 /// Removes the curve with all its points.
 class RemoveCurve : public CurvesCommand {
   Q_DECLARE_TR_FUNCTIONS(RemoveCurve)

@@ -108,6 +108,93 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "Loop"),
     QT_TRANSLATE_NOOP("Core",
                       "A curve that crosses itself and hides part of itself from the screen."),
+    QT_TRANSLATE_NOOP("Core", "Examples"),
+    QT_TRANSLATE_NOOP("Core", "Degenerate cases"),
+    QT_TRANSLATE_NOOP("Core",
+                      "One corner of 180 degrees at the tip, which is a silhouette too because the "
+                      "image folds there, and one apparent minimum near the lower left end. No "
+                      "ridge: at the tip curvature is infinite and changes sign."),
+    // flatland/scene/degenerate_presets.cpp
+    QT_TRANSLATE_NOOP("Core", "Pause on the way"),
+    QT_TRANSLATE_NOOP("Core",
+                      "x = u^3, y = u^4: the speed vanishes at u = 0, but the tangent does not "
+                      "turn back, y = x^(4/3)."),
+    QT_TRANSLATE_NOOP("Core",
+                      "One valley and one apparent ridge, both at the lowest point, where "
+                      "curvature is infinite. No corner: the tangent is continuous."),
+    QT_TRANSLATE_NOOP("Core", "Points on a line"),
+    QT_TRANSLATE_NOOP("Core",
+                      "Four control points on a slanted line: curvature is 0 everywhere, so every "
+                      "point would be an inflection."),
+    QT_TRANSLATE_NOOP("Core", "No mark at all. The curve is listed as straight."),
+    QT_TRANSLATE_NOOP("Core", "Line seen end-on"),
+    QT_TRANSLATE_NOOP("Core",
+                      "A straight curve seen along itself: its image is one point, and every point "
+                      "would be a silhouette."),
+    QT_TRANSLATE_NOOP("Core", "No mark at all. The curve is listed as straight and seen end-on."),
+    QT_TRANSLATE_NOOP("Core", "Line that turns back"),
+    QT_TRANSLATE_NOOP("Core",
+                      "Three points on a line, the ends in the same place: there and back again."),
+    QT_TRANSLATE_NOOP("Core",
+                      "One corner of 180 degrees at the far end, a silhouette too. Both halves are "
+                      "listed as straight."),
+    QT_TRANSLATE_NOOP("Core", "All points equal"),
+    QT_TRANSLATE_NOOP("Core", "Four control points in one place: a curve without length."),
+    QT_TRANSLATE_NOOP("Core", "No mark at all. The curve is listed as a point."),
+    QT_TRANSLATE_NOOP("Core", "Coincident control points"),
+    QT_TRANSLATE_NOOP("Core", "The first two control points are one: the curve starts at speed 0."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "One ridge and one apparent ridge at the crest; one flat point and one apparent minimum "
+        "before it. Nothing at the start: its curvature is infinite, but an end has no extremum."),
+    QT_TRANSLATE_NOOP("Core", "Inflection at an end"),
+    QT_TRANSLATE_NOOP("Core", "y = 4/9 x^3 from x = 0: curvature vanishes at the very start."),
+    QT_TRANSLATE_NOOP("Core",
+                      "One inflection at t = 0, one valley at x = (9/80)^(1/4) = 0.579 and one "
+                      "apparent ridge at x = (3/16)^(1/4) = 0.658."),
+    QT_TRANSLATE_NOOP("Core", "Silhouette at an inflection"),
+    QT_TRANSLATE_NOOP("Core",
+                      "y = 8/27 x^3 seen along its tangent at the origin: n.w touches 0 there and "
+                      "keeps its sign, a double root."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "One silhouette and one inflection, both at t = 1/2; a valley and a ridge at x = -0.709 "
+        "and 0.709. No apparent ridge: lambda only grows towards the silhouette."),
+    QT_TRANSLATE_NOOP("Core", "Undulation"),
+    QT_TRANSLATE_NOOP(
+        "Core", "y = x^4: curvature touches 0 at the middle and keeps its sign, a double root."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "No inflection. A flat point and an apparent minimum with lambda = 0 at t = 1/2; valleys "
+        "at x = -+(1/56)^(1/6) = 0.511, apparent ridges at x = -+(1/32)^(1/6) = 0.561."),
+    QT_TRANSLATE_NOOP("Core", "Double root of k'"),
+    QT_TRANSLATE_NOOP("Core",
+                      "A curve that bends ever less from left to right; at the middle the loss "
+                      "stops, k' = k'' = 0, and goes on."),
+    QT_TRANSLATE_NOOP("Core",
+                      "No ridge, valley or flat point: k' keeps its sign. One apparent minimum and "
+                      "one apparent ridge, to the left and right of the middle."),
+    QT_TRANSLATE_NOOP("Core", "Straight, then bent"),
+    QT_TRANSLATE_NOOP("Core",
+                      "A straight piece that goes over smoothly into a cubic: on the first k and "
+                      "k' are 0 throughout."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Nothing on the straight piece, which is listed as straight, and nothing at "
+                      "the joint. On the cubic a valley, and a silhouette at its end."),
+    QT_TRANSLATE_NOOP("Core", "Corner with a fold"),
+    QT_TRANSLATE_NOOP("Core",
+                      "Two straight pieces that meet at an angle; seen from the right the image "
+                      "turns back at the corner."),
+    QT_TRANSLATE_NOOP("Core",
+                      "A corner of 119.7 degrees, which is a silhouette too; seen from above it is "
+                      "the corner alone. Both pieces are listed as straight."),
+    QT_TRANSLATE_NOOP("Core", "Curvature jumps"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Two parabolas with a common tangent at the crest, where curvature jumps from 1 to 4."),
+    QT_TRANSLATE_NOOP("Core",
+                      "One ridge and one apparent ridge, both at the joint, with the larger of its "
+                      "two curvatures: lambda = 16."),
 };
 
 }  // namespace
