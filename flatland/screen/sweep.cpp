@@ -16,6 +16,9 @@ namespace {
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kMaxAngleStepDeg = 2.0;
 constexpr double kMaxLengthStep = 0.01;  // of the curve
+// Nearer neighbours are one place. Where the speed vanishes curvature is infinite and the angle
+// computed there is noise, which no halving would smooth.
+constexpr double kMinLengthStep = 1e-10;  // of the curve
 constexpr int kMaxHalvings = 40;
 constexpr double kLengthAccuracy = 1e-12;  // of the control polygon
 
@@ -145,7 +148,7 @@ class CurveSweeper {
     const double chord = (pointAt(curve_, to.t) - pointAt(curve_, from.t)).norm();
     const bool close = std::abs(to.angleDeg - from.angleDeg) <= kMaxAngleStepDeg &&
                        chord <= kMaxLengthStep * length_ && depth >= 4;
-    if (close || depth == kMaxHalvings) {
+    if (close || depth == kMaxHalvings || chord <= kMinLengthStep * length_) {
       branch.points.push_back(to);
       return;
     }
