@@ -330,6 +330,174 @@
         <source>this is beyond 1e15</source>
         <translation>das liegt jenseits von 1e15</translation>
     </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Degenerate cases</source>
+        <translation>Entartete Fälle</translation>
+    </message>
+    <message>
+        <source>One corner of 180 degrees at the tip, which is a silhouette too because the image folds there, and one apparent minimum near the lower left end. No ridge: at the tip curvature is infinite and changes sign.</source>
+        <translation>Eine Ecke von 180 Grad an der Spitze, die auch Silhouette ist, weil das Bild dort umkehrt, und ein scheinbares Minimum nahe dem linken unteren Ende. Kein Grat: An der Spitze ist die Krümmung unendlich und wechselt das Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Pause on the way</source>
+        <translation>Halt unterwegs</translation>
+    </message>
+    <message>
+        <source>x = u^3, y = u^4: the speed vanishes at u = 0, but the tangent does not turn back, y = x^(4/3).</source>
+        <translation>x = u^3, y = u^4: Bei u = 0 verschwindet die Geschwindigkeit, doch die Tangente kehrt nicht um, y = x^(4/3).</translation>
+    </message>
+    <message>
+        <source>One valley and one apparent ridge, both at the lowest point, where curvature is infinite. No corner: the tangent is continuous.</source>
+        <translation>Ein Tal und ein scheinbarer Grat, beide am tiefsten Punkt, wo die Krümmung unendlich ist. Keine Ecke: Die Tangente ist stetig.</translation>
+    </message>
+    <message>
+        <source>Points on a line</source>
+        <translation>Punkte auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>Four control points on a slanted line: curvature is 0 everywhere, so every point would be an inflection.</source>
+        <translation>Vier Kontrollpunkte auf einer schrägen Geraden: Die Krümmung ist überall 0, also wäre jeder Punkt ein Wendepunkt.</translation>
+    </message>
+    <message>
+        <source>No mark at all. The curve is listed as straight.</source>
+        <translation>Gar keine Marke. Die Kurve wird als gerade aufgeführt.</translation>
+    </message>
+    <message>
+        <source>Line seen end-on</source>
+        <translation>Gerade, längs gesehen</translation>
+    </message>
+    <message>
+        <source>A straight curve seen along itself: its image is one point, and every point would be a silhouette.</source>
+        <translation>Eine gerade Kurve, längs gesehen: Ihr Bild ist ein Punkt, und jeder Punkt wäre Silhouette.</translation>
+    </message>
+    <message>
+        <source>No mark at all. The curve is listed as straight and seen end-on.</source>
+        <translation>Gar keine Marke. Die Kurve wird als gerade und längs gesehen aufgeführt.</translation>
+    </message>
+    <message>
+        <source>Line that turns back</source>
+        <translation>Gerade, die umkehrt</translation>
+    </message>
+    <message>
+        <source>Three points on a line, the ends in the same place: there and back again.</source>
+        <translation>Drei Punkte auf einer Geraden, die Enden am selben Ort: hin und wieder zurück.</translation>
+    </message>
+    <message>
+        <source>One corner of 180 degrees at the far end, a silhouette too. Both halves are listed as straight.</source>
+        <translation>Eine Ecke von 180 Grad am fernen Ende, auch Silhouette. Beide Hälften werden als gerade aufgeführt.</translation>
+    </message>
+    <message>
+        <source>All points equal</source>
+        <translation>Alle Punkte gleich</translation>
+    </message>
+    <message>
+        <source>Four control points in one place: a curve without length.</source>
+        <translation>Vier Kontrollpunkte an einem Ort: eine Kurve ohne Länge.</translation>
+    </message>
+    <message>
+        <source>No mark at all. The curve is listed as a point.</source>
+        <translation>Gar keine Marke. Die Kurve wird als Punkt aufgeführt.</translation>
+    </message>
+    <message>
+        <source>Coincident control points</source>
+        <translation>Zusammenfallende Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>The first two control points are one: the curve starts at speed 0.</source>
+        <translation>Die ersten beiden Kontrollpunkte sind einer: Die Kurve beginnt mit Geschwindigkeit 0.</translation>
+    </message>
+    <message>
+        <source>One ridge and one apparent ridge at the crest; one flat point and one apparent minimum before it. Nothing at the start: its curvature is infinite, but an end has no extremum.</source>
+        <translation>Ein Grat und ein scheinbarer Grat am Scheitel; davor ein Flachpunkt und ein scheinbares Minimum. Nichts am Anfang: Dort ist die Krümmung unendlich, aber ein Ende hat kein Extremum.</translation>
+    </message>
+    <message>
+        <source>Inflection at an end</source>
+        <translation>Wendepunkt an einem Ende</translation>
+    </message>
+    <message>
+        <source>y = 4/9 x^3 from x = 0: curvature vanishes at the very start.</source>
+        <translation>y = 4/9 x^3 ab x = 0: Die Krümmung verschwindet genau am Anfang.</translation>
+    </message>
+    <message>
+        <source>One inflection at t = 0, one valley at x = (9/80)^(1/4) = 0.579 and one apparent ridge at x = (3/16)^(1/4) = 0.658.</source>
+        <translation>Ein Wendepunkt bei t = 0, ein Tal bei x = (9/80)^(1/4) = 0.579 und ein scheinbarer Grat bei x = (3/16)^(1/4) = 0.658.</translation>
+    </message>
+    <message>
+        <source>Silhouette at an inflection</source>
+        <translation>Silhouette an einem Wendepunkt</translation>
+    </message>
+    <message>
+        <source>y = 8/27 x^3 seen along its tangent at the origin: n.w touches 0 there and keeps its sign, a double root.</source>
+        <translation>y = 8/27 x^3, längs der Tangente im Ursprung gesehen: n.w berührt dort 0 und behält sein Vorzeichen, eine doppelte Nullstelle.</translation>
+    </message>
+    <message>
+        <source>One silhouette and one inflection, both at t = 1/2; a valley and a ridge at x = -0.709 and 0.709. No apparent ridge: lambda only grows towards the silhouette.</source>
+        <translation>Eine Silhouette und ein Wendepunkt, beide bei t = 1/2; ein Tal und ein Grat bei x = -0.709 und 0.709. Kein scheinbarer Grat: Lambda wächst nur zur Silhouette hin.</translation>
+    </message>
+    <message>
+        <source>Undulation</source>
+        <translation>Flachpunkt höherer Ordnung</translation>
+    </message>
+    <message>
+        <source>y = x^4: curvature touches 0 at the middle and keeps its sign, a double root.</source>
+        <translation>y = x^4: Die Krümmung berührt in der Mitte 0 und behält ihr Vorzeichen, eine doppelte Nullstelle.</translation>
+    </message>
+    <message>
+        <source>No inflection. A flat point and an apparent minimum with lambda = 0 at t = 1/2; valleys at x = -+(1/56)^(1/6) = 0.511, apparent ridges at x = -+(1/32)^(1/6) = 0.561.</source>
+        <translation>Kein Wendepunkt. Ein Flachpunkt und ein scheinbares Minimum mit Lambda = 0 bei t = 1/2; Täler bei x = -+(1/56)^(1/6) = 0.511, scheinbare Grate bei x = -+(1/32)^(1/6) = 0.561.</translation>
+    </message>
+    <message>
+        <source>Double root of k&apos;</source>
+        <translation>Doppelte Nullstelle von k&apos;</translation>
+    </message>
+    <message>
+        <source>A curve that bends ever less from left to right; at the middle the loss stops, k&apos; = k&apos;&apos; = 0, and goes on.</source>
+        <translation>Eine Kurve, die sich von links nach rechts immer weniger krümmt; in der Mitte hält die Abnahme inne, k&apos; = k&apos;&apos; = 0, und geht weiter.</translation>
+    </message>
+    <message>
+        <source>No ridge, valley or flat point: k&apos; keeps its sign. One apparent minimum and one apparent ridge, to the left and right of the middle.</source>
+        <translation>Kein Grat, Tal oder Flachpunkt: k&apos; behält sein Vorzeichen. Ein scheinbares Minimum und ein scheinbarer Grat, links und rechts der Mitte.</translation>
+    </message>
+    <message>
+        <source>Straight, then bent</source>
+        <translation>Erst gerade, dann gekrümmt</translation>
+    </message>
+    <message>
+        <source>A straight piece that goes over smoothly into a cubic: on the first k and k&apos; are 0 throughout.</source>
+        <translation>Ein gerades Stück, das glatt in eine Kubik übergeht: Auf dem ersten sind k und k&apos; überall 0.</translation>
+    </message>
+    <message>
+        <source>Nothing on the straight piece, which is listed as straight, and nothing at the joint. On the cubic a valley, and a silhouette at its end.</source>
+        <translation>Nichts auf dem geraden Stück, das als gerade aufgeführt wird, und nichts an der Nahtstelle. Auf der Kubik ein Tal und eine Silhouette an ihrem Ende.</translation>
+    </message>
+    <message>
+        <source>Corner with a fold</source>
+        <translation>Ecke mit Umkehr</translation>
+    </message>
+    <message>
+        <source>Two straight pieces that meet at an angle; seen from the right the image turns back at the corner.</source>
+        <translation>Zwei gerade Stücke, die sich in einem Winkel treffen; von rechts gesehen kehrt das Bild an der Ecke um.</translation>
+    </message>
+    <message>
+        <source>A corner of 119.7 degrees, which is a silhouette too; seen from above it is the corner alone. Both pieces are listed as straight.</source>
+        <translation>Eine Ecke von 119.7 Grad, die auch Silhouette ist; von oben gesehen ist sie nur Ecke. Beide Stücke werden als gerade aufgeführt.</translation>
+    </message>
+    <message>
+        <source>Curvature jumps</source>
+        <translation>Die Krümmung springt</translation>
+    </message>
+    <message>
+        <source>Two parabolas with a common tangent at the crest, where curvature jumps from 1 to 4.</source>
+        <translation>Zwei Parabeln mit gemeinsamer Tangente am Scheitel, wo die Krümmung von 1 auf 4 springt.</translation>
+    </message>
+    <message>
+        <source>One ridge and one apparent ridge, both at the joint, with the larger of its two curvatures: lambda = 16.</source>
+        <translation>Ein Grat und ein scheinbarer Grat, beide an der Nahtstelle, mit der größeren der beiden Krümmungen: Lambda = 16.</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
@@ -421,6 +589,14 @@
         <source>Add such a curve in the middle of the picture; the panel Curve has its numbers</source>
         <translation>Eine solche Kurve in der Mitte des Bildes hinzufügen; der Bereich Kurve hat ihre Zahlen</translation>
     </message>
+    <message>
+        <source>Import &amp;Glyph…</source>
+        <translation>&amp;Glyphe importieren …</translation>
+    </message>
+    <message>
+        <source>Add the outline of a letter to this scene</source>
+        <translation>Den Umriss eines Buchstabens zu dieser Szene hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>FigureFiles</name>
@@ -488,10 +664,6 @@
         <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Open a scene file</source>
-        <translation>Eine Szenendatei öffnen</translation>
-    </message>
-    <message>
         <source>Open &amp;Recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
@@ -530,6 +702,18 @@
     <message>
         <source>Close the window</source>
         <translation>Das Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Open a scene file or an SVG drawing</source>
+        <translation>Eine Szenendatei oder eine SVG-Zeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Import SVG…</source>
+        <translation>SVG &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>Add the outlines of a drawing to this scene</source>
+        <translation>Die Umrisse einer Zeichnung zu dieser Szene hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -1801,6 +1985,14 @@
         <source>scene</source>
         <translation>szene</translation>
     </message>
+    <message>
+        <source>Expected: %1</source>
+        <translation>Erwartet: %1</translation>
+    </message>
+    <message>
+        <source>Scenes and drawings (*.json *.svg);;All files (*)</source>
+        <translation>Szenen und Zeichnungen (*.json *.svg);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::FlatCanvas</name>
@@ -1862,6 +2054,68 @@
     <message>
         <source>column %1: %2</source>
         <translation>Spalte %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::GlyphDialog</name>
+    <message>
+        <source>Import glyph</source>
+        <translation>Glyphe importieren</translation>
+    </message>
+    <message>
+        <source>The font whose letter is taken</source>
+        <translation>Die Schrift, aus der der Buchstabe stammt</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>The letter, or its code as U+0061</source>
+        <translation>Der Buchstabe oder sein Code wie U+0061</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Zeichen</translation>
+    </message>
+    <message>
+        <source>Outline of the letter</source>
+        <translation>Umriss des Buchstabens</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Add the outline to the scene</source>
+        <translation>Den Umriss zur Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Font:</source>
+        <translation>&amp;Schrift:</translation>
+    </message>
+    <message>
+        <source>&amp;Character:</source>
+        <translation>&amp;Zeichen:</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::ImportController</name>
+    <message>
+        <source>Import drawing</source>
+        <translation>Zeichnung importieren</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg);;All files (*)</source>
+        <translation>SVG-Zeichnungen (*.svg);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>import glyph</source>
+        <translation>Glyphe importieren</translation>
     </message>
 </context>
 <context>
