@@ -44,16 +44,29 @@ PieceRoots onPiece(const Curve& curve, int piece, const ViewFrame& frame, double
   return found;
 }
 
-PrintedRoot rootAt(const Scene& scene, const ViewFrame& frame, int curve, double t) {
-  const Vec2 point = pointAt(scene.curves[static_cast<std::size_t>(curve)].shape, t);
-  return {curve, t, point, screenCoordinate(frame, point), false, std::nullopt};
+constexpr double kArcLengthAccuracy = 1e-9;  // of the control polygon
+
+PrintedRoot rootAt(const Curve& shape, const ViewFrame& frame, int curve, double t, double u) {
+  PrintedRoot root{};
+  root.curve = curve;
+  root.t = t;
+  root.u = u;
+  root.point = pointAt(shape, t);
+  root.screen = screenCoordinate(frame, root.point);
+  return root;
 }
 
-void compare(PrintedRoot& root, const FeatureSet& features) {
+void compare(PrintedRoot& root, const FeatureSet& features, double length, bool closed) {
   constexpr double kSameT = 1e-9;
   for (const Mark& mark : features.marks) {
     if (mark.kind != MarkKind::ApparentRidge || mark.curve != root.curve) continue;
     if (std::abs(mark.t - root.t) <= kSameT) root.isMaximum = true;
+    double along = std::abs(mark.u - root.u);
+    if (closed) along = std::min(along, std::max(length - along, 0.0));
+    if (!root.alongToApparentRidge || along < *root.alongToApparentRidge) {
+      root.alongToApparentRidge = along;
+      root.shareToApparentRidge = length > 0.0 ? along / length : 0.0;
+    }
     if (!root.screen || !mark.screen) continue;
     const double distance = std::abs(*mark.screen - *root.screen);
     if (!root.toApparentRidge || distance < *root.toApparentRidge) {
@@ -67,6 +80,24 @@ void compare(PrintedRoot& root, const FeatureSet& features) {
 int PrintedRoots::maxima() const {
   return static_cast<int>(
       std::count_if(roots.begin(), roots.end(), [](const PrintedRoot& r) { return r.isMaximum; }));
+}
+
+const PrintedRoot* PrintedRoots::nearest() const {
+  const PrintedRoot* best = nullptr;
+  for (const PrintedRoot& root : roots) {
+    if (!root.shareToApparentRidge) continue;
+    if (!best || *root.shareToApparentRidge < *best->shareToApparentRidge) best = &root;
+  }
+  return best;
+}
+
+const PrintedRoot* PrintedRoots::farthest() const {
+  const PrintedRoot* worst = nullptr;
+  for (const PrintedRoot& root : roots) {
+    if (!root.shareToApparentRidge) continue;
+    if (!worst || *root.shareToApparentRidge > *worst->shareToApparentRidge) worst = &root;
+  }
+  return worst;
 }
 
 Roots printedRootsByProxy(const Curve& curve, int piece, const ViewFrame& frame) {
@@ -100,10 +131,19 @@ PrintedRoots findPrintedRoots(const Scene& scene, const FeatureSet& features) {
       for (const double t : roots.t) ts.push_back(piece + t);
       found.unresolved += roots.unresolved;
     }
+    if (ts.empty()) continue;
     std::sort(ts.begin(), ts.end());
+    const double accuracy = kArcLengthAccuracy * lengthScale(curve);
+    const std::size_t first = found.roots.size();
+    double before = 0.0, u = 0.0;
     for (const double t : ts) {
-      found.roots.push_back(rootAt(scene, frame, static_cast<int>(c), t));
-      compare(found.roots.back(), features);
+      u += arcLength(curve, before, t, accuracy).value;
+      before = t;
+      found.roots.push_back(rootAt(curve, frame, static_cast<int>(c), t, u));
+    }
+    const double length = u + arcLength(curve, before, pieces, accuracy).value;
+    for (std::size_t i = first; i < found.roots.size(); ++i) {
+      compare(found.roots[i], features, length, isClosed(curve));
     }
   }
   return found;

@@ -15,6 +15,7 @@ namespace flatland {
 struct PrintedRoot {
   int curve;  ///< index in Scene::curves
   double t;   ///< as Mark::t
+  double u;   ///< as Mark::u
   Vec2 point;
   std::optional<double> screen;  ///< empty at or behind the viewer
   /// True if lambda has a maximum there after all: the root is an apparent ridge to 1e-9 of t.
@@ -23,6 +24,10 @@ struct PrintedRoot {
   /// Screen distance, length, to the nearest apparent ridge of the same curve; empty if there is
   /// none.
   std::optional<double> toApparentRidge;
+  /// Arc length along the curve to the nearest apparent ridge, on a closed curve the shorter way
+  /// round, and the share of the whole curve that this is; both empty if there is none.
+  std::optional<double> alongToApparentRidge;
+  std::optional<double> shareToApparentRidge;
 };
 
 struct PrintedRoots {
@@ -30,6 +35,10 @@ struct PrintedRoots {
   int unresolved = 0;              ///< intervals whose roots could not be counted
 
   int maxima() const;
+  /// The root nearest to an apparent ridge along its curve, and the farthest; null if no root has
+  /// one. By share of the curve, so that curves of different size compare.
+  const PrintedRoot* nearest() const;
+  const PrintedRoot* farthest() const;
 };
 
 /// The printed roots of all curves. Inflections, roots of both forms by their factor k, are left

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "flatland/features/orientation.h"
@@ -99,6 +100,44 @@ TEST(PrintedRoots, OfAParabolaSeenObliquely) {
   ASSERT_EQ(found.roots.size(), 1u);
   EXPECT_NEAR(found.roots[0].point.x(), x, 1e-14);
   EXPECT_FALSE(found.roots[0].isMaximum);
+  // The maximum is at the smaller root of 12 s x^2 - 4 c x + s = 0; arc length in closed form.
+  const double ridge = (4.0 * c - std::sqrt(16.0 * c * c - 48.0 * s * s)) / (24.0 * s);
+  const auto length = [](double from, double to) {
+    const auto primitive = [](double v) {
+      return 0.5 * v * std::sqrt(1.0 + 4.0 * v * v) + 0.25 * std::asinh(2.0 * v);
+    };
+    return primitive(to) - primitive(from);
+  };
+  EXPECT_NEAR(found.roots[0].u, length(-1.0, x), 1e-9);
+  ASSERT_TRUE(found.roots[0].alongToApparentRidge);
+  EXPECT_NEAR(*found.roots[0].alongToApparentRidge, length(x, ridge), 1e-9);
+  EXPECT_NEAR(*found.roots[0].shareToApparentRidge, length(x, ridge) / length(-1.0, 1.0), 1e-9);
+  EXPECT_EQ(found.nearest(), &found.roots[0]);
+  EXPECT_EQ(found.farthest(), &found.roots[0]);
+}
+
+// The shorter way round: moving the start of a closed curve changes no distance.
+TEST(PrintedRoots, DistancesDoNotDependOnWhereAClosedCurveStarts) {
+  const auto distances = [](int start) {
+    std::vector<Vec2> corners{{2, 0}, {1.2, 1.7}, {-1, 1.1}, {-2.2, -0.4}, {-0.3, -1.6}};
+    std::rotate(corners.begin(), corners.begin() + start, corners.end());
+    const BSpline spline(3, true, corners, BSpline::uniformKnots(3, true, corners.size()));
+    const Scene scene{{{spline.bezierForm()}}, {20.0, std::nullopt}};
+    std::vector<double> found;
+    for (const PrintedRoot& root : findPrintedRoots(scene, findFeatures(scene)).roots) {
+      EXPECT_LE(root.shareToApparentRidge.value_or(0.0), 0.5);
+      found.push_back(root.alongToApparentRidge.value_or(-1.0));
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  const std::vector<double> expected = distances(0);
+  ASSERT_GE(expected.size(), 2u);
+  for (int start = 1; start < 5; ++start) {
+    const std::vector<double> now = distances(start);
+    ASSERT_EQ(now.size(), expected.size());
+    for (std::size_t i = 0; i < now.size(); ++i) EXPECT_NEAR(now[i], expected[i], 1e-7);
+  }
 }
 
 TEST(PrintedRoots, ProxiesFindTheSame) {

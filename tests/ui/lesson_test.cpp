@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A lesson is given by mouse and keys, and the person's own work comes back whole.
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QSvgRenderer>
 #include <QToolButton>
@@ -173,6 +175,51 @@ class LessonTest : public QObject {
     QVERIFY(lesson.isPrinted());
   }
 
+  void howFarThePrintedRootsMissIsSaid() {
+    WindowDriver& d = *driver_;
+    d.window().resize(1280, 800);
+    auto& misses = d.child<QLabel>("lesson.misses");
+    d.trigger("lesson.shipped.apparent-ridge");
+    QVERIFY(!misses.isVisible());
+    while (!(d.window().lesson().equation() == DerivationStep::Eq3_13)) {
+      d.canvasKey(Qt::Key_PageDown);
+    }
+    QVERIFY(misses.isVisible());
+    QVERIFY2(misses.text().endsWith(missesExpected()), qPrintable(misses.text()));
+    QVERIFY2(misses.sizeHint().width() <= misses.width(), "one line, not cut");
+    const auto roots = d.document().printedRoots().roots.size();
+    QVERIFY(roots >= 2);
+    QCOMPARE(misses.toolTip().count('\n'), static_cast<qsizetype>(roots));
+    const QString before = misses.text();
+    d.drag(d.atPoint(1), d.atPoint(1) + QPoint(15, 10));
+    QVERIFY(misses.text() != before);
+    QVERIFY2(misses.text().endsWith(missesExpected()), qPrintable(misses.text()));
+    auto& box = d.child<QCheckBox>("lesson.printed-roots");
+    QTest::mouseClick(&box, Qt::LeftButton, {}, {8, box.height() / 2});
+    QVERIFY(!d.window().display().showsPrintedRoots());
+    QVERIFY(!misses.isVisible());
+    QTest::mouseClick(&box, Qt::LeftButton, {}, {8, box.height() / 2});
+    QVERIFY(misses.isVisible());
+    QTest::mouseClick(&d.child<QToolButton>("lesson.leave"), Qt::LeftButton);
+    QVERIFY(!misses.isVisible());
+  }
+
+  void theFileMenuOpensALessonToo() {
+    WindowDriver& d = *driver_;
+    QFile file(d.path("own.md"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("# My own\n\n## Only step\n\nWords.\n");
+    file.close();
+    auto& menu = d.child<QMenu>("menu.file");
+    QVERIFY(menu.actions().contains(&d.child<QAction>("lesson.open")));
+    menu.popup(d.window().mapToGlobal(QPoint(0, 0)));
+    QVERIFY(QTest::qWaitForWindowExposed(&menu));
+    typeFileName(file.fileName());
+    QTest::keyClick(&menu, Qt::Key_L);
+    QVERIFY(d.window().lesson().isOpen());
+    QCOMPARE(d.window().lesson().lesson().title, std::string("My own"));
+  }
+
   void valuesFollowTheDragAndTheProbe() {
     WindowDriver& d = *driver_;
     d.trigger("lesson.shipped.apparent-ridge");
@@ -203,6 +250,35 @@ class LessonTest : public QObject {
   }
 
  private:
+  // Counted and measured here anew: maxima by their parameter, distances by arc length.
+  QString missesExpected() {
+    const Scene& scene = driver_->scene();
+    const Curve& curve = scene.curves[0].shape;
+    const double length = arcLength(curve, 0.0, pieceCount(curve), 1e-12).value;
+    const auto& features = driver_->document().features();
+    double least = 1e300, most = 0.0;
+    const auto roots = findPrintedRoots(scene, features).roots;
+    for (const PrintedRoot& root : roots) {
+      double nearest = 1e300;
+      for (const Mark& mark : features.marks) {
+        if (mark.kind != MarkKind::ApparentRidge) continue;
+        const double along = std::abs(arcLength(curve, root.t, mark.t, 1e-12).value);
+        nearest = std::min({nearest, along, isClosed(curve) ? length - along : along});
+      }
+      least = std::min(least, nearest);
+      most = std::max(most, nearest);
+    }
+    const auto text = [&](double along) {
+      return QStringLiteral("%1 (%2 % of the curve)")
+          .arg(QString::number(along, 'g', 2), QString::number(100.0 * along / length, 'g', 2));
+    };
+    return QStringLiteral(
+               "maximum of λ: 0 of %1; off the nearest apparent ridge by %2 at best, "
+               "%3 at worst")
+        .arg(roots.size())
+        .arg(text(least), text(most));
+  }
+
   std::unique_ptr<WindowDriver> driver_;
 };
 

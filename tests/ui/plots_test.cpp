@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plots, probe and canvas show one place: what is done in one by mouse or keys is seen in the
 // others.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -250,6 +251,54 @@ class PlotsTest : public QObject {
     d.window().display().setShows(MarkKind::ApparentMinimum, true);
     d.settle();
     for (const PlotKind kind : kKinds) QCOMPARE(plot(kind).drawing().markCount(), count());
+  }
+
+  // On lambda and the terms, at the arc length and the value of the curve there: off every maximum
+  // of lambda, and where the sum of the terms is not 0.
+  void printedRootsMissTheMaximaInSight() {
+    WindowDriver& d = *driver_;
+    const auto drawn = [this](PlotKind kind) { return plot(kind).drawing().printedRoots(); };
+    for (const PlotKind kind : kKinds) QVERIFY(drawn(kind).empty());
+    d.trigger("lesson.shipped.apparent-ridge");
+    while (!(d.window().lesson().equation() == DerivationStep::Eq3_13)) {
+      d.canvasKey(Qt::Key_PageDown);
+    }
+    d.settle();
+    const auto roots = findPrintedRoots(d.scene(), d.document().features()).roots;
+    const ViewFrame frame = frameOf(d.scene().view);
+    const int side = normalSide(d.scene().curves[0], frame);
+    QVERIFY(roots.size() >= 2);
+    QCOMPARE(drawn(PlotKind::Lambda).size(), roots.size());
+    QCOMPARE(drawn(PlotKind::Terms).size(), roots.size());
+    QVERIFY(drawn(PlotKind::Curvature).empty() && drawn(PlotKind::Ratio).empty());
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      const QPointF at = drawn(PlotKind::Lambda)[i];
+      QVERIFY(std::abs(at.x() - lengthTo(roots[i].t)) < 1e-6);
+      const Terms terms = termsAt(jetAt(d.scene().curves[0].shape, roots[i].t), frame, side);
+      const PlotAxis axis = d.window().plots().axisOf(PlotKind::Lambda);
+      const double lambda = std::clamp(*terms.lambda, axis.low, axis.high);
+      QVERIFY(std::abs(at.y() - lambda) <= 1e-9 * lambda);
+      for (const Mark& mark : d.document().features().marks) {
+        if (mark.kind != MarkKind::ApparentRidge) continue;
+        QVERIFY(std::abs(mark.u - at.x()) > 1e-3 * total());
+      }
+      const double sum = terms.feature + terms.offset;
+      const double y = drawn(PlotKind::Terms)[i].y();
+      QVERIFY(y != 0.0 && (y > 0.0) == (sum > 0.0));
+    }
+    QWidget& lambda = plot(PlotKind::Lambda).surface();
+    const QImage with = lambda.grab().toImage();
+    auto& box = d.child<QCheckBox>("lesson.printed-roots");
+    QTest::mouseClick(&box, Qt::LeftButton, {}, {8, box.height() / 2});
+    d.settle();
+    QVERIFY(drawn(PlotKind::Lambda).empty() && drawn(PlotKind::Terms).empty());
+    QVERIFY2(lambda.grab().toImage() != with, "they were to be seen");
+    QTest::mouseClick(&box, Qt::LeftButton, {}, {8, box.height() / 2});
+    d.window().display().setPlotAbscissa(Abscissa::Screen);
+    d.settle();
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      QCOMPARE(drawn(PlotKind::Terms)[i].x(), *roots[i].screen);
+    }
   }
 
   void noLinePassesASilhouette() {

@@ -41,7 +41,7 @@ void buildLessonMenu(QMenu& menu, const MenuParts& parts) {
         ->setObjectName("lesson.shipped." + QFileInfo(shipped.file).completeBaseName());
   }
   addAction(menu,
-            {"lesson.open", LessonMenuWords::tr("&Open Lesson…"),
+            {"lesson.open", LessonMenuWords::tr("Open &Lesson…"),
              LessonMenuWords::tr("Open a lesson of your own")},
             [&files] { files.open(); });
   QMenu* recent = menu.addMenu(LessonMenuWords::tr("Open &Recent Lesson"));
@@ -79,7 +79,7 @@ void buildLessonMenu(QMenu& menu, const MenuParts& parts) {
                  LessonMenuWords::tr("The scene as the lesson has it, whatever was dragged")},
                 [&lesson] { lesson.showAgain(); }),
       addAction(menu,
-                {"lesson.step.leave", LessonMenuWords::tr("&Leave Lesson"),
+                {"lesson.step.leave", LessonMenuWords::tr("Lea&ve Lesson"),
                  LessonMenuWords::tr("Back to your own scene")},
                 [&lesson] { lesson.leave(); })};
   const auto refresh = [steps, &lesson] {

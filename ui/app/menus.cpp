@@ -60,6 +60,11 @@ void buildMenus(const MenuParts& parts) {
   buildCurveMenu(addMenu(parts.window, "menu.curve", MenusWords::tr("&Curve")), parts);
   buildViewMenu(addMenu(parts.window, "menu.view", MenusWords::tr("&View")), parts);
   buildLessonMenu(addMenu(parts.window, "menu.lesson", MenusWords::tr("&Lesson")), parts);
+  // Opening a lesson is looked for among what opens files, too: the same action.
+  QMenu& file = *parts.window.findChild<QMenu*>("menu.file");
+  const QAction* presets = parts.window.findChild<QMenu*>("menu.file.presets")->menuAction();
+  const qsizetype after = file.actions().indexOf(presets) + 1;
+  file.insertAction(file.actions().value(after), parts.window.findChild<QAction*>("lesson.open"));
   buildHelpMenu(addMenu(parts.window, "menu.help", MenusWords::tr("&Help")), parts);
   for (const char* id : {"file.export", "view.fit", "view.control-polygon", "view.hidden"}) {
     parts.pictureBar.addAction(parts.window.findChild<QAction*>(id));

@@ -52,6 +52,13 @@ const SceneColours& sceneColours(Palette palette);
 /// transparency.
 Rgb paler(Rgb colour, Rgb background);
 
+/// A root of the misprinted (3.13): in the colours of apparent ridges, but a bar across the curve
+/// that is hollow, and it and its line dashed. Sizes in px on the canvas.
+struct PrintedRootStyle {
+  double barWidth = 6.0, barLength = 22.0;
+  double outline = 1.6, line = 1.2;
+};
+
 /// Diameter of the symbols, px, except Flat (smaller) and the bars (longer across).
 inline constexpr double kSymbolSizePx = 9.0;
 

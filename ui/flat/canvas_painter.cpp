@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "flatland/curve/curve_editing.h"
-#include "flatland/features/printed_roots.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/flat_figure.h"
 #include "ui/flat/probe_overlay.h"
@@ -132,8 +131,8 @@ class CanvasPainter {
   void paintPrintedRoots() {
     const Scene& scene = models_.document.scene();
     const MarkStyle& style = styleOf(MarkKind::ApparentRidge, palette_);
-    constexpr double kBarWidthPx = 6.0, kBarLengthPx = 22.0;
-    for (const PrintedRoot& root : findPrintedRoots(scene, models_.document.features()).roots) {
+    const PrintedRootStyle look;
+    for (const PrintedRoot& root : models_.document.printedRoots().roots) {
       const QPointF centre = at(root.point);
       painter_.setBrush(Qt::NoBrush);
       if (root.screen) {
@@ -141,7 +140,7 @@ class CanvasPainter {
         mark.point = root.point;
         mark.screen = root.screen;
         if (const auto seen = markOnScreen(models_, mark)) {
-          painter_.setPen(QPen(toQColor(style.colour), 1.2, Qt::DashLine));
+          painter_.setPen(QPen(toQColor(style.colour), look.line, Qt::DashLine));
           painter_.drawLine(centre, *seen / scale_);
         }
       }
@@ -150,9 +149,9 @@ class CanvasPainter {
       painter_.save();
       painter_.translate(centre);
       painter_.rotate(-std::atan2(along.y(), along.x()) * 180.0 / std::numbers::pi);
-      const QRectF bar(-kBarWidthPx / 2.0, -kBarLengthPx / 2.0, kBarWidthPx, kBarLengthPx);
+      const QRectF bar(-look.barWidth / 2.0, -look.barLength / 2.0, look.barWidth, look.barLength);
       painter_.fillRect(bar, toQColor(colours_.background));
-      painter_.setPen(QPen(toQColor(style.letterColour), 1.6, Qt::DashLine));
+      painter_.setPen(QPen(toQColor(style.letterColour), look.outline, Qt::DashLine));
       painter_.drawRect(bar);
       painter_.restore();
     }

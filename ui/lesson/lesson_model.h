@@ -56,6 +56,8 @@ class LessonModel : public QObject {
   /// At the probe, computed anew at each call; empty without equation or probe.
   std::optional<StepReading> reading() const;
   std::vector<StepDifference> sweep() const;
+  /// Of the scene there is.
+  const PrintedRoots& printedRoots() const { return document_.printedRoots(); }
 
  signals:
   /// The lesson, its step or the variant is another.

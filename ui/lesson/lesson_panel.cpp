@@ -37,6 +37,13 @@ LessonPanel::LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QW
   row->addWidget(equation_, 8);
   row->addWidget(plot_, 4);
   layout->addLayout(row, 1);
+  misses_ = new QLabel(this);
+  misses_->setObjectName("lesson.misses");
+  misses_->setAccessibleName(tr("How far the printed roots miss"));
+  misses_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  // Too long for a narrow strip, it is cut there; the tip has it all.
+  misses_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->addWidget(misses_);
 
   connect(&lesson_, &LessonModel::changed, this, &LessonPanel::showStep);
   connect(&probe_, &Probe::changed, this, &LessonPanel::showValues);
@@ -153,11 +160,22 @@ void LessonPanel::showSwitches() {
   corrected_->setChecked(!lesson_.isPrinted());
   roots_->setVisible(equation == DerivationStep::Eq3_13);
   roots_->setChecked(display_.showsPrintedRoots());
+  showMisses();
+}
+
+void LessonPanel::showMisses() {
+  const bool shown = lesson_.equation() == DerivationStep::Eq3_13 && display_.showsPrintedRoots();
+  misses_->setVisible(shown);
+  if (!shown) return;
+  const QString line = missesForPeople(lesson_.printedRoots());
+  misses_->setText(line);
+  misses_->setToolTip(line + "\n" + eachMissForPeople(lesson_.printedRoots()));
 }
 
 void LessonPanel::showValues() {
   const auto equation = lesson_.equation();
   if (!equation) return;
+  showMisses();
   const QString values = valuesForPeople(*equation, lesson_.reading(), lesson_.isPrinted());
   values_->setWordWrap(!values.startsWith("<table"));
   values_->setText(values);

@@ -35,6 +35,7 @@ class LessonPanel : public QWidget {
   void showStep();
   void showValues();
   void showSwitches();
+  void showMisses();
 
   LessonModel& lesson_;
   Probe& probe_;
@@ -52,6 +53,7 @@ class LessonPanel : public QWidget {
   QToolButton* corrected_;
   QCheckBox* roots_;
   QLabel* values_;
+  QLabel* misses_;
   QWidget* equation_;
   StepSizePlot* plot_;
 };

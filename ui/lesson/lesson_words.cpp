@@ -13,7 +13,9 @@ struct Words {
 };
 
 constexpr int kDigits = 6;
-constexpr int kMatrixDigits = 3;      ///< so that four numbers stand on one line of the strip
+constexpr int kMatrixDigits = 3;  ///< so that four numbers stand on one line of the strip
+constexpr int kMissDigits = 2;
+constexpr qsizetype kMostLines = 12;
 constexpr double kAgreement = 1e-12;  ///< residuals of rounding lie far below, misprints far above
 
 QString plain(std::string_view text) {
@@ -55,7 +57,41 @@ QString whyNot(StepAnswer answer) {
   return {};
 }
 
+QString missText(const PrintedRoot& root) {
+  return Words::tr("%1 (%2 % of the curve)")
+      .arg(number(*root.alongToApparentRidge, kMissDigits),
+           number(100.0 * *root.shareToApparentRidge, kMissDigits));
+}
+
 }  // namespace
+
+QString missesForPeople(const PrintedRoots& printed) {
+  if (printed.roots.empty()) return Words::tr("(3.13) as printed has no roots here");
+  const QString count = Words::tr("Printed roots at a maximum of λ: %1 of %2")
+                            .arg(printed.maxima())
+                            .arg(printed.roots.size());
+  const PrintedRoot* nearest = printed.nearest();
+  if (!nearest) return count + Words::tr("; no apparent ridge on their curve");
+  const PrintedRoot* farthest = printed.farthest();
+  if (printed.roots.size() == 1) {
+    return count + Words::tr("; off the nearest apparent ridge by %1").arg(missText(*nearest));
+  }
+  return count + Words::tr("; off the nearest apparent ridge by %1 at best, %2 at worst")
+                     .arg(missText(*nearest), missText(*farthest));
+}
+
+QString eachMissForPeople(const PrintedRoots& printed) {
+  QStringList lines;
+  for (const PrintedRoot& root : printed.roots) {
+    if (lines.size() == kMostLines) return lines.join('\n') + QStringLiteral("\n…");
+    lines << (root.alongToApparentRidge
+                  ? Words::tr("at arc length %1: off the nearest apparent ridge by %2")
+                        .arg(number(root.u, kDigits), missText(root))
+                  : Words::tr("at arc length %1: no apparent ridge on the curve")
+                        .arg(number(root.u, kDigits)));
+  }
+  return lines.join('\n');
+}
 
 QString valuesForPeople(DerivationStep step, const std::optional<StepReading>& reading,
                         bool printed) {

@@ -4,6 +4,7 @@
 #include <QString>
 #include <optional>
 
+#include "flatland/features/printed_roots.h"
 #include "flatland/study/derivation.h"
 
 namespace flatland::ui {
@@ -12,5 +13,12 @@ namespace flatland::ui {
 /// are none.
 QString valuesForPeople(DerivationStep step, const std::optional<StepReading>& reading,
                         bool printed);
+
+/// In one line: how many printed roots lie at a maximum of lambda, and how far along the curve the
+/// nearest apparent ridge is, at best and at worst.
+QString missesForPeople(const PrintedRoots& printed);
+
+/// The same for each root, a line each; as many as a tip can hold.
+QString eachMissForPeople(const PrintedRoots& printed);
 
 }  // namespace flatland::ui

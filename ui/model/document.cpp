@@ -22,6 +22,11 @@ const FeatureSet& Document::features() const {
   return *features_;
 }
 
+const PrintedRoots& Document::printedRoots() const {
+  if (!printedRoots_) printedRoots_ = findPrintedRoots(scene_, features());
+  return *printedRoots_;
+}
+
 const Visibility& Document::visibility() const {
   if (!visibility_) visibility_.emplace(scene_);
   return *visibility_;
@@ -55,6 +60,7 @@ void Document::replace(Scene scene, const QString& originName, std::filesystem::
 
 void Document::sceneChanged(Change::What what) {
   features_.reset();
+  printedRoots_.reset();
   visibility_.reset();
   emit changed({what});
 }

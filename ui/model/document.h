@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "flatland/features/features.h"
+#include "flatland/features/printed_roots.h"
 #include "flatland/scene/scene.h"
 #include "flatland/screen/visibility.h"
 
@@ -41,6 +42,9 @@ class Document : public QObject {
 
   /// The marks of the scene. Computed at the first call after a change and kept until the next.
   const FeatureSet& features() const;
+
+  /// The roots of (3.13) as printed; computed and kept likewise.
+  const PrintedRoots& printedRoots() const;
 
   /// What of the scene can be seen; computed and kept likewise.
   const Visibility& visibility() const;
@@ -100,6 +104,7 @@ class Document : public QObject {
   std::filesystem::path file_;
   int lastGesture_ = 0;
   mutable std::optional<FeatureSet> features_;
+  mutable std::optional<PrintedRoots> printedRoots_;
   mutable std::optional<Visibility> visibility_;
   mutable double featureMilliseconds_ = 0.0;
   mutable int featureComputations_ = 0;

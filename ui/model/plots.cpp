@@ -239,6 +239,30 @@ std::optional<double> Plots::valueAt(const PlotMark& mark, ProfileQuantity quant
   return std::nullopt;
 }
 
+std::vector<PlotPrintedRoot> Plots::printedRoots(PlotKind kind) const {
+  std::vector<PlotPrintedRoot> result;
+  const auto shown = curve();
+  const bool tells = kind == PlotKind::Lambda || kind == PlotKind::Terms;
+  if (!shown || !tells || !display_.showsPrintedRoots()) return result;
+  const auto& all = document_.printedRoots().roots;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].curve != static_cast<int>(*shown)) continue;
+    if (abscissa() == Abscissa::ArcLength) {
+      result.push_back({i, all[i].u});
+    } else if (all[i].screen) {
+      result.push_back({i, *all[i].screen});
+    }
+  }
+  return result;
+}
+
+std::optional<double> Plots::valueAt(const PlotPrintedRoot& root, ProfileQuantity quantity) const {
+  const PrintedRoot& found = document_.printedRoots().roots[root.index];
+  const auto reading =
+      Probe::readingAt(document_.scene(), {static_cast<std::size_t>(found.curve), found.t});
+  return reading ? Probe::valueOf(*reading, quantity) : std::nullopt;
+}
+
 std::optional<double> Plots::probeX() const {
   const auto& place = probe_.place();
   if (!place || curve() != place->curve) return std::nullopt;

@@ -29,6 +29,12 @@ struct PlotMark {
   bool visible;
 };
 
+/// A root of (3.13) as printed, as the plots show it.
+struct PlotPrintedRoot {
+  std::size_t index;  ///< in the document's printed roots
+  double x;           ///< in the abscissa
+};
+
 /// What all plots share: the curve they show, its profile, what it is drawn against, the range of
 /// that, and the probe in it. The curve is that of the probe, without a probe the current one.
 class Plots : public QObject {
@@ -77,6 +83,11 @@ class Plots : public QObject {
   std::vector<PlotMark> marks() const;
   /// The quantity at a mark; nullopt where it is infinite or undefined.
   std::optional<double> valueAt(const PlotMark& mark, ProfileQuantity quantity) const;
+
+  /// The roots of (3.13) as printed on the curve, while the display shows them: on the plots of
+  /// lambda and the terms, where it can be seen that they miss; on the others none.
+  std::vector<PlotPrintedRoot> printedRoots(PlotKind kind) const;
+  std::optional<double> valueAt(const PlotPrintedRoot& root, ProfileQuantity quantity) const;
 
   std::optional<double> probeX() const;
   std::optional<double> probeValue(ProfileQuantity quantity) const;

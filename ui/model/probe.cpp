@@ -56,10 +56,12 @@ void Probe::moveBy(double share) {
 }
 
 std::optional<Probe::Reading> Probe::reading() const {
-  if (!place_) return std::nullopt;
-  const Scene& scene = document_.scene();
-  const SceneCurve& curve = scene.curves[place_->curve];
-  const Jet jet = jetAt(curve.shape, place_->t);
+  return place_ ? readingAt(document_.scene(), *place_) : std::nullopt;
+}
+
+std::optional<Probe::Reading> Probe::readingAt(const Scene& scene, const Place& place) {
+  const SceneCurve& curve = scene.curves[place.curve];
+  const Jet jet = jetAt(curve.shape, place.t);
   if (!(jet.d1.squaredNorm() > 0.0)) return std::nullopt;
   const ViewFrame view = frameOf(scene.view);
   const int side = normalSide(curve, view);

@@ -32,6 +32,9 @@ class Probe : public QObject {
     Terms terms;
   };
 
+  /// At any place of a scene, which must exist; nullopt where the curve has no tangent.
+  static std::optional<Reading> readingAt(const Scene& scene, const Place& place);
+
   /// One of the quantities of the plots; nullopt where it is infinite or undefined.
   static std::optional<double> valueOf(const Reading& reading, ProfileQuantity quantity);
 

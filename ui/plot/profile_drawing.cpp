@@ -67,6 +67,25 @@ QCPScatterStyle symbolStyle(MarkKind kind, bool visible, const ProfileDrawing::L
           shape.fill ? QBrush(toQColor(*shape.fill)) : QBrush(Qt::NoBrush), kUnscaled};
 }
 
+/// As on the canvas: a hollow bar, dashed.
+QCPScatterStyle printedRootStyle(const ProfileDrawing::Look& look) {
+  constexpr double kUnscaled = 6.0;  // as above
+  const PrintedRootStyle style;
+  const double width = style.barWidth * look.scale,
+               length = kSymbolShare * style.barLength * look.scale;
+  QPainterPath bar;
+  bar.addRect(-width / 2.0, -length / 2.0, width, length);
+  const QColor outline = toQColor(styleOf(MarkKind::ApparentRidge, look.palette).letterColour);
+  return {bar, QPen(outline, style.outline * look.scale, Qt::DashLine),
+          QBrush(toQColor(sceneColours(look.palette).background)), kUnscaled};
+}
+
+/// A line of which the height does not matter: from the foot of the plot to its top.
+void standAt(QCPItemStraightLine& line, double x) {
+  line.point1->setCoords(x, 0.0);
+  line.point2->setCoords(x, 1.0);
+}
+
 }  // namespace
 
 QColor colourOf(ProfileQuantity quantity, Palette palette) {
@@ -86,6 +105,7 @@ QColor colourOf(ProfileQuantity quantity, Palette palette) {
 ProfileDrawing::ProfileDrawing(QCustomPlot& plot, PlotKind kind)
     : plot_(plot),
       kind_(kind),
+      printedDots_(nullptr),
       probeLine_(new QCPItemStraightLine(&plot)),
       probeDots_(nullptr),
       note_(new QCPItemText(&plot)) {
@@ -101,6 +121,10 @@ ProfileDrawing::ProfileDrawing(QCustomPlot& plot, PlotKind kind)
     unity_->point1->setCoords(0.0, 1.0);
     unity_->point2->setCoords(1.0, 1.0);
   }
+  printedDots_ = plot_.addGraph();
+  printedDots_->setLayer("symbols");
+  printedDots_->setLineStyle(QCPGraph::lsNone);
+  printedDots_->removeFromLegend();
   probeLine_->setLayer("probe");
   probeLine_->setVisible(false);
   probeDots_ = plot_.addGraph();
@@ -135,6 +159,7 @@ void ProfileDrawing::setLook(const Look& look) {
   for (auto& [key, graph] : symbols_) {
     graph->setScatterStyle(symbolStyle(key.first, key.second, look_));
   }
+  printedDots_->setScatterStyle(printedRootStyle(look_));
   setMargins();
 }
 
@@ -202,24 +227,48 @@ void ProfileDrawing::showLines(const Plots& plots) {
 
 void ProfileDrawing::showMarks(const Plots& plots) {
   const std::vector<PlotMark> marks = plots.marks();
-  while (markLines_.size() > marks.size()) {
-    plot_.removeItem(markLines_.back());
-    markLines_.pop_back();
+  resizeLines(markLines_, marks.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    standAt(*markLines_[i], marks[i].x);
+    markLines_[i]->setPen(markPen(marks[i].kind, marks[i].visible, look_));
   }
-  while (markLines_.size() < marks.size()) {
+}
+
+void ProfileDrawing::resizeLines(std::vector<QCPItemStraightLine*>& lines, std::size_t count) {
+  while (lines.size() > count) {
+    plot_.removeItem(lines.back());
+    lines.pop_back();
+  }
+  while (lines.size() < count) {
     auto* line = new QCPItemStraightLine(&plot_);
     line->setLayer("marks");
     for (QCPItemPosition* point : {line->point1, line->point2}) {
       point->setTypeX(QCPItemPosition::ptPlotCoords);
       point->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
-    markLines_.push_back(line);
+    lines.push_back(line);
   }
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    markLines_[i]->point1->setCoords(marks[i].x, 0.0);
-    markLines_[i]->point2->setCoords(marks[i].x, 1.0);
-    markLines_[i]->setPen(markPen(marks[i].kind, marks[i].visible, look_));
+}
+
+void ProfileDrawing::showPrintedRoots(const Plots& plots) {
+  const std::vector<PlotPrintedRoot> roots = plots.printedRoots(kind_);
+  resizeLines(printedLines_, roots.size());
+  printedDots_->data()->clear();
+  const QColor colour = toQColor(styleOf(MarkKind::ApparentRidge, look_.palette).colour);
+  const ProfileQuantity main = plots.quantitiesOf(kind_).back();
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    standAt(*printedLines_[i], roots[i].x);
+    printedLines_[i]->setPen(QPen(colour, PrintedRootStyle{}.line * look_.scale, Qt::DashLine));
+    const double y =
+        std::clamp(plots.valueAt(roots[i], main).value_or(axis_.high), axis_.low, axis_.high);
+    printedDots_->addData(roots[i].x, onAxis(y));
   }
+}
+
+std::vector<QPointF> ProfileDrawing::printedRoots() const {
+  std::vector<QPointF> places;
+  for (const QCPGraphData& at : *printedDots_->data()) places.emplace_back(at.key, at.value);
+  return places;
 }
 
 QCPGraph& ProfileDrawing::symbolsOf(MarkKind kind, bool visible) {
@@ -254,6 +303,7 @@ void ProfileDrawing::showRange(const Plots& plots) {
   plot_.yAxis->setRange(onAxis(axis_.low), onAxis(axis_.high));
   showTicks();
   placeSymbols(plots);
+  showPrintedRoots(plots);
   switch (axis_.scale) {
     case PlotAxis::Scale::Linear:
       note_->setText({});

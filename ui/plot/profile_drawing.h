@@ -48,6 +48,9 @@ class ProfileDrawing {
   std::vector<std::vector<QPointF>> linesOf(ProfileQuantity quantity) const;
   /// The marks as they stand on the plot: line and symbol.
   int markCount() const { return static_cast<int>(markLines_.size()); }
+  /// The roots of the misprinted (3.13) as they stand on the plot: (abscissa, position on the y
+  /// axis).
+  std::vector<QPointF> printedRoots() const;
   /// In the abscissa; nullopt where it is not shown.
   std::optional<double> probeX() const;
 
@@ -55,7 +58,9 @@ class ProfileDrawing {
   double onAxis(double value) const;
   void showLines(const Plots& plots);
   void showMarks(const Plots& plots);
+  void resizeLines(std::vector<QCPItemStraightLine*>& lines, std::size_t count);
   void placeSymbols(const Plots& plots);
+  void showPrintedRoots(const Plots& plots);
   void showTicks();
   void setMargins();
   QCPCurve& curveOf(ProfileQuantity quantity);
@@ -68,6 +73,8 @@ class ProfileDrawing {
   std::map<ProfileQuantity, QCPCurve*> curves_;
   std::vector<QCPItemStraightLine*> markLines_;
   std::map<std::pair<MarkKind, bool>, QCPGraph*> symbols_;
+  std::vector<QCPItemStraightLine*> printedLines_;
+  QCPGraph* printedDots_;
   QCPItemStraightLine* unity_ = nullptr;
   QCPItemStraightLine* probeLine_;
   QCPGraph* probeDots_;

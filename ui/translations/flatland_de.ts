@@ -956,10 +956,6 @@
         <translation>Diese Lektion beginnen</translation>
     </message>
     <message>
-        <source>&amp;Open Lesson…</source>
-        <translation>Lektion ö&amp;ffnen …</translation>
-    </message>
-    <message>
         <source>Open a lesson of your own</source>
         <translation>Eine eigene Lektion öffnen</translation>
     </message>
@@ -1008,12 +1004,16 @@
         <translation>Die Szene, wie die Lektion sie hat, was auch gezogen wurde</translation>
     </message>
     <message>
-        <source>&amp;Leave Lesson</source>
-        <translation>Lektion &amp;verlassen</translation>
-    </message>
-    <message>
         <source>Back to your own scene</source>
         <translation>Zurück zur eigenen Szene</translation>
+    </message>
+    <message>
+        <source>Open &amp;Lesson…</source>
+        <translation>&amp;Lektion öffnen …</translation>
+    </message>
+    <message>
+        <source>Lea&amp;ve Lesson</source>
+        <translation>Lektion &amp;verlassen</translation>
     </message>
 </context>
 <context>
@@ -1045,6 +1045,38 @@
     <message>
         <source>residual %1</source>
         <translation>Residuum %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 % of the curve)</source>
+        <translation>%1 (%2 % der Kurve)</translation>
+    </message>
+    <message>
+        <source>(3.13) as printed has no roots here</source>
+        <translation>(3.13) wie gedruckt hat hier keine Nullstellen</translation>
+    </message>
+    <message>
+        <source>Printed roots at a maximum of λ: %1 of %2</source>
+        <translation>Gedruckte Nullstellen an einem Maximum von λ: %1 von %2</translation>
+    </message>
+    <message>
+        <source>; no apparent ridge on their curve</source>
+        <translation>; kein scheinbarer Grat auf ihrer Kurve</translation>
+    </message>
+    <message>
+        <source>; off the nearest apparent ridge by %1</source>
+        <translation>; zum nächsten scheinbaren Grat %1</translation>
+    </message>
+    <message>
+        <source>; off the nearest apparent ridge by %1 at best, %2 at worst</source>
+        <translation>; zum nächsten scheinbaren Grat mindestens %1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>at arc length %1: off the nearest apparent ridge by %2</source>
+        <translation>bei Bogenlänge %1: zum nächsten scheinbaren Grat %2</translation>
+    </message>
+    <message>
+        <source>at arc length %1: no apparent ridge on the curve</source>
+        <translation>bei Bogenlänge %1: kein scheinbarer Grat auf der Kurve</translation>
     </message>
 </context>
 <context>
@@ -2454,6 +2486,10 @@
     <message>
         <source>The values of both sides at the probe</source>
         <translation>Die Werte beider Seiten an der Sonde</translation>
+    </message>
+    <message>
+        <source>How far the printed roots miss</source>
+        <translation>Wie weit die gedruckten Nullstellen danebenliegen</translation>
     </message>
 </context>
 <context>
