@@ -296,8 +296,11 @@ class PlotsTest : public QObject {
     QTest::mouseClick(&box, Qt::LeftButton, {}, {8, box.height() / 2});
     d.window().display().setPlotAbscissa(Abscissa::Screen);
     d.settle();
+    std::vector<double> screen;
+    for (const PrintedRoot& root : roots) screen.push_back(*root.screen);
+    std::sort(screen.begin(), screen.end());  // as the plot keeps them
     for (std::size_t i = 0; i < roots.size(); ++i) {
-      QCOMPARE(drawn(PlotKind::Terms)[i].x(), *roots[i].screen);
+      QCOMPARE(drawn(PlotKind::Terms)[i].x(), screen[i]);
     }
   }
 
