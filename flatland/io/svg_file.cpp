@@ -217,9 +217,9 @@ class SvgReader {
 
   void walk(const pugi::xml_node& node, State state) {
     const std::string_view name = nameOf(node);
-    if (name.find(':') != std::string_view::npos) return;  // notes of the program that drew it
     if (++elements_ > kMostSvgElements)
       fail(node, "more elements to draw than " + std::to_string(kMostSvgElements));
+    if (name.find(':') != std::string_view::npos) return;  // notes of the program that drew it
     if (++state.depth > kDeepestSvgNesting)
       fail(node, "nested deeper than " + std::to_string(kDeepestSvgNesting));
     if (isOneOf(name, {"text", "image", "foreignObject"})) {
@@ -318,7 +318,6 @@ class SvgReader {
   }
 
   void addShape(const pugi::xml_node& node, std::string_view name, const State& state) {
-    std::vector<Subpath> subpaths = subpathsOf(node, name, state);
     if (!state.visible) {
       leftOut_.count("hidden element");
       return;
@@ -327,6 +326,11 @@ class SvgReader {
       leftOut_.count("shape with neither fill nor stroke");
       return;
     }
+    std::vector<Subpath> subpaths = subpathsOf(node, name, state);
+    for (const Subpath& subpath : subpaths) segments_ += subpath.segments.size();
+    if (segments_ > kMostSvgSegments)
+      fail(node, "is where the drawing exceeds " + std::to_string(kMostSvgSegments) +
+                     " segments, too many");
     for (Subpath& subpath : subpaths) {
       for (Bezier& segment : subpath.segments) {
         for (Vec2& p : segment.points) {
@@ -336,10 +340,6 @@ class SvgReader {
           }
         }
       }
-      segments_ += subpath.segments.size();
-      if (segments_ > kMostSvgSegments)
-        fail(node, "is where the drawing exceeds " + std::to_string(kMostSvgSegments) +
-                       " segments, too many");
       if (auto chain = chainOf(subpath, notes_)) curves_.push_back({std::move(*chain), false});
     }
   }

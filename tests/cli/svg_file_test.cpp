@@ -292,6 +292,24 @@ TEST(SvgFile, HostileFilesGetOneMessageSoon) {
     laughs += "</g>";
   }
   expectRefused(laughs, "more elements to draw than 200000");
+  // A long path that is drawn ten thousand times: hidden it costs nothing, else it is too many.
+  std::string path = "M0 0";
+  for (int i = 0; i < 60'000; ++i) path += "L" + std::to_string(i % 7) + " 1";
+  const auto drawnOften = [&path](const std::string& how) {
+    std::string all = "<defs><path id='p' " + how + " d='" + path + "'/><g id='g'>";
+    for (int i = 0; i < 100; ++i) all += "<use href='#p'/>";
+    all += "</g></defs><line x2='1'/>";
+    for (int i = 0; i < 100; ++i) all += "<use href='#g'/>";
+    return all;
+  };
+  EXPECT_EQ(read(drawnOften("visibility='hidden'")).scene.curves.size(), 1U);
+  EXPECT_EQ(read(drawnOften("fill='none'")).scene.curves.size(), 1U);
+  expectRefused(drawnOften(""), "segments, too many");
+  std::string notes = "<g id='n'>";
+  for (int i = 0; i < 1000; ++i) notes += "<x:n/>";
+  notes += "</g>";
+  for (int i = 0; i < 300; ++i) notes += "<use href='#n'/>";
+  expectRefused(notes, "more elements to draw than 200000");
   std::string entities = "<!DOCTYPE svg [<!ENTITY a0 'ha'>";
   for (int i = 1; i < 30; ++i) {
     entities += "<!ENTITY a" + std::to_string(i) + " '";
