@@ -180,19 +180,32 @@ End endAt(const Curve& shape, int piece, double t, const ViewFrame& frame, doubl
   return end;
 }
 
+/// Where a way begins: the curve alone, seen from infinitely far away, and the point's place.
+struct Start {
+  Scene seen;
+  Curve shape;
+  double length, u;
+
+  /// Arc length along the curve, on a closed one the shorter way around.
+  double between(double u1, double u2) const {
+    const double gap = std::abs(u1 - u2);
+    return isClosed(shape) ? std::min(gap, length - gap) : gap;
+  }
+  double wayTo(const Mark& mark) const { return between(u, mark.u); }
+};
+
 // The mark to walk to. At an inflection seen along its tangent the image does not fold, so the
 // silhouette there is known by the inflection.
-const Mark* nearestEnd(const std::vector<Mark>& marks, int curve, double u,
+const Mark* nearestEnd(const Start& start, const std::vector<Mark>& marks,
                        const std::vector<Terms>& terms) {
   const Mark* best = nullptr;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Mark& mark = marks[i];
-    if (mark.curve != curve) continue;
     const bool cusp = mark.kind == MarkKind::Corner && std::abs(mark.turnDeg) > kCuspTurnDeg;
     const bool alongInflection =
         mark.kind == MarkKind::Inflection && std::abs(terms[i].nw) < kSeenAlong;
     if (mark.kind != MarkKind::Silhouette && !cusp && !alongInflection) continue;
-    if (!best || std::abs(mark.u - u) < std::abs(best->u - u)) best = &mark;
+    if (!best || start.wayTo(mark) < start.wayTo(*best)) best = &mark;
   }
   return best;
 }
@@ -202,17 +215,11 @@ std::optional<Terms> termsIfRegular(const Jet& jet, const ViewFrame& frame) {
   return termsAt(jet, frame, 1);
 }
 
-/// Where a way begins: the scene seen from infinitely far away, the curve, and the point's place.
-struct Start {
-  Scene seen;
-  Curve shape;
-  double length, u;
-};
-
 // nullopt if the curve is a point.
 std::optional<Start> startAt(const Scene& scene, int curve, double t) {
   Start start{scene, shapeOf(scene, curve), 0.0, 0.0};
   start.seen.view.distance.reset();
+  start.seen.curves = {scene.curves[static_cast<std::size_t>(curve)]};
   start.length = lengthOf(start.shape);
   if (!(start.length > 0.0)) return std::nullopt;
   start.u = arcLength(start.shape, 0.0, t, 1e-10 * start.length).value;
@@ -292,7 +299,7 @@ std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, doubl
   if (!start) return std::nullopt;
   const Scene& seen = start->seen;
   const Curve& shape = start->shape;
-  const double length = start->length, u = start->u;
+  const double length = start->length;
   const ViewFrame frame = frameOf(seen.view);
   const FeatureSet features = findFeatures(seen);
   std::vector<Terms> terms;
@@ -300,13 +307,18 @@ std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, doubl
     const Jet jet = jetAt(shapeOf(seen, mark.curve), mark.t);
     terms.push_back(termsIfRegular(jet, frame).value_or(Terms{}));
   }
-  const Mark* mark = nearestEnd(features.marks, curve, u, terms);
+  const Mark* mark = nearestEnd(*start, features.marks, terms);
   if (!mark) return std::nullopt;
   // The side from which the point comes, on the piece that lies there.
-  const double side = t < mark->t || (t == mark->t && mark->t >= pieceCount(shape)) ? -1.0 : 1.0;
-  int piece = static_cast<int>(std::floor(mark->t));
-  if (piece > 0 && mark->t == piece && (side < 0.0 || piece == pieceCount(shape))) --piece;
-  const double end = mark->t - piece;
+  const bool before = t < mark->t || (t == mark->t && mark->t >= pieceCount(shape));
+  const bool overSeam = isClosed(shape) && std::abs(mark->u - start->u) > 0.5 * length;
+  const double side = before != overSeam ? -1.0 : 1.0;
+  double markT = mark->t;
+  if (overSeam && side < 0.0 && markT == 0.0) markT = pieceCount(shape);
+  if (overSeam && side > 0.0 && markT == pieceCount(shape)) markT = 0.0;
+  int piece = static_cast<int>(std::floor(markT));
+  if (piece > 0 && markT == piece && (side < 0.0 || piece == pieceCount(shape))) --piece;
+  const double end = markT - piece;
   const End target = endAt(shape, piece, end, frame, length);
   const double room = side < 0.0 ? end : 1.0 - end;
   if (!(room > 0.0)) return std::nullopt;
@@ -335,16 +347,17 @@ std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, doubl
   return series;
 }
 
-std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, double t) {
+std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, double t,
+                                               const std::function<bool()>& goOn) {
   auto start = startAt(scene, curve, t);
   if (!start) return std::nullopt;
   Scene& seen = start->seen;
   const Curve& shape = start->shape;
-  const double length = start->length, u = start->u;
+  const double length = start->length;
   std::optional<Mark> at;
   for (const Mark& mark : findFeatures(seen).marks) {
-    if (mark.kind != MarkKind::Inflection || mark.curve != curve) continue;
-    if (!at || std::abs(mark.u - u) < std::abs(at->u - u)) at = mark;
+    if (mark.kind != MarkKind::Inflection) continue;
+    if (!at || start->wayTo(mark) < start->wayTo(*at)) at = mark;
   }
   if (!at) return std::nullopt;
   const Jet jet = jetAt(shape, at->t);
@@ -363,12 +376,14 @@ std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, do
     seen.view.angleDeg = normalizedDeg(angleDeg);
     double best = kNone;
     for (const Mark& mark : findFeatures(seen).marks) {
-      if (mark.kind != kind || mark.curve != curve) continue;
-      if (!(std::abs(mark.u - at->u) >= best)) best = std::abs(mark.u - at->u);
+      if (mark.kind != kind) continue;
+      const double way = start->between(mark.u, at->u);
+      if (!(way >= best)) best = way;
     }
     return best;
   };
   for (const double angle : logSteps(kLargestSlide, kSmallestSlide)) {
+    if (goOn && !goOn()) return std::nullopt;
     series.x.push_back(angle);
     const double step = turn * angle * kDegPerRad;
     series.laws[0].values.push_back(nearest(MarkKind::ApparentRidge, along + step));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -81,12 +82,15 @@ struct LimitSeries {
 std::optional<LimitSeries> turnToSilhouette(const Scene& scene, int curve, double t);
 
 /// Walk from the point to the silhouette or cusp nearest along the curve, in the scene's direction
-/// of view. nullopt if the curve has none, or only at a corner.
+/// of view; on a closed curve the shorter way around. nullopt if the curve has none, or only at a
+/// corner.
 std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, double t);
 
 /// Slide at the inflection nearest to the point along the curve. Every root is found anew, by
-/// findFeatures. nullopt if the curve has no inflection with k' != 0 that is not at an end.
-std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, double t);
+/// findFeatures. nullopt if the curve has no inflection with k' != 0 that is not at an end, or once
+/// `goOn`, which is asked before each view, says no.
+std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, double t,
+                                               const std::function<bool()>& goOn = {});
 
 /// The direction of view, in degrees, from which a point with this tangent (unit) has |n.w| = `nw`
 /// (0 to 1): on the side of the normal and of the tangent on which `nearDeg` sees it.

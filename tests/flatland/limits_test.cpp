@@ -202,6 +202,43 @@ TEST(Limits, SlidesOnEveryInflectionOfTheDefaultCurve) {
   }
 }
 
+// From t = 0.03 of an ellipse the silhouette at 0.94 is 0.09 away, over the seam of the parameter,
+// and the other, half a turn from it, 0.41.
+TEST(Limits, WalksTheShorterWayAroundAClosedCurve) {
+  const auto ellipse = FormulaCurve::make(FamilyCurve{familyNamed("ellipse")->id, {1.0, 1.5}});
+  ASSERT_TRUE(ellipse.curve);
+  const Scene scene{{{*ellipse.curve}}, {75.0, std::nullopt}};
+  for (const double t : {0.03, 0.97, 0.44}) {
+    double nearest = 1.0, there = 0.0;
+    for (const Mark& mark : findFeatures(scene).marks) {
+      if (mark.kind != MarkKind::Silhouette) continue;
+      const double gap = std::abs(mark.t - t), way = std::min(gap, 1.0 - gap);
+      if (way < nearest) nearest = way, there = mark.t;
+    }
+    const auto series = walkToSilhouette(scene, 0, t);
+    ASSERT_TRUE(series);
+    EXPECT_NEAR(series->t, there, 1e-12) << t;
+    EXPECT_LT(nearest, 0.1);
+    // On either side the law is that of an ordinary silhouette.
+    expectLaw(*series, LimitQuantity::Lambda, -2.0, 1.0, 1e-3, 1e-2);
+  }
+}
+
+TEST(Limits, SlideStopsWhenToldAndSeesOneCurveOnly) {
+  Scene scene = cubic(70.0);
+  int asked = 0;
+  EXPECT_FALSE(slideIntoSilhouette(scene, 0, 0.6, [&asked] { return ++asked < 4; }));
+  EXPECT_EQ(asked, 4);
+  const auto alone = slideIntoSilhouette(scene, 0, 0.6);
+  const Scene other = parabola(0.0);
+  scene.curves.insert(scene.curves.begin(), other.curves[0]);
+  const auto second = slideIntoSilhouette(scene, 1, 0.6);
+  ASSERT_TRUE(alone && second);
+  EXPECT_EQ(second->curve, 1);
+  EXPECT_EQ(second->x, alone->x);
+  EXPECT_EQ(second->laws[1].values, alone->laws[1].values);
+}
+
 TEST(Limits, NoAnswerWhereThereIsNothingToMeasure) {
   EXPECT_FALSE(slideIntoSilhouette(parabola(0.0), 0, 0.5));  // no inflection
   EXPECT_FALSE(walkToSilhouette(sceneOf({{0, 0}, {1, 1}}, 20.0), 0, 0.5));
