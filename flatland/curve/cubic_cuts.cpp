@@ -9,6 +9,9 @@ namespace {
 
 constexpr int kMostHalvings = 16;
 
+// With so many, what is left is only halved the least number of times.
+constexpr std::size_t kMostStretches = 5000;
+
 struct End {
   double t;
   Jet jet;
@@ -24,7 +27,7 @@ void halve(const JetOnPiece& jet, int piece, const End& low, const End& high, in
            int leastHalvings, double tolerance, std::vector<CubicStretch>& to) {
   const Bezier cubic = hermite(low, high);
   bool close = depth >= leastHalvings;
-  if (close && depth < leastHalvings + kMostHalvings) {
+  if (close && depth < leastHalvings + kMostHalvings && to.size() < kMostStretches) {
     // Not evenly spread, so that a wave of the curve does not meet the cubic at all of them.
     for (const double s : {0.5, 0.23, 0.79, 0.11, 0.92}) {
       const double t = low.t + s * (high.t - low.t);

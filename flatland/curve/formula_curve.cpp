@@ -31,6 +31,28 @@ std::optional<FormulaError> readEnd(const std::string& text, const Expression::C
   return std::nullopt;
 }
 
+/// Where a function that changes its sign between two places does so through infinity. A crossing
+/// through zero has small values on at least one side of it; a jump keeps its values.
+template <class Value>
+std::optional<double> poleBetween(const Value& value, double low, double high) {
+  constexpr double kGrowth = 1e6;
+  double before = value(low), after = value(high);
+  if (!(before * after < 0.0)) return std::nullopt;
+  const double largest = std::max(std::abs(before), std::abs(after));
+  const double smallest = std::min(std::abs(before), std::abs(after));
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (!(middle > low && middle < high)) break;
+    const double here = value(middle);
+    if (!std::isfinite(here)) return middle;
+    // Towards a zero the values fall.
+    if (std::abs(here) < smallest) return std::nullopt;
+    ((here < 0.0) == (before < 0.0) ? low : high) = middle;
+    if (std::abs(here) > kGrowth * largest) return middle;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 template <int N>
@@ -117,6 +139,13 @@ FormulaCurve::Result FormulaCurve::finished(std::shared_ptr<Compiled> compiled, 
   // A prime number of steps, so that a swing does not hide between them.
   const int steps = typed ? 2003 : 211;
   Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
+  const auto noValue = [&](Field field, double t, const char* what) {
+    const std::string name = field == Field::X ? "x" : "y";
+    const double parameter = compiled->from + t * (compiled->to - compiled->from);
+    return Result{
+        std::nullopt,
+        {typed ? field : Field::Family, 0, name + what + " at t = " + shortText(parameter)}};
+  };
   for (int piece = 0; piece < compiled->pieceCount; ++piece) {
     for (int i = 0; i <= steps; ++i) {
       const double t = static_cast<double>(i) / steps;
@@ -124,12 +153,15 @@ FormulaCurve::Result FormulaCurve::finished(std::shared_ptr<Compiled> compiled, 
       for (const Field field : {Field::X, Field::Y}) {
         const double value = field == Field::X ? p.x() : p.y();
         if (std::abs(value) <= kLargestCoordinate) continue;
-        const std::string name = field == Field::X ? "x" : "y";
-        const double parameter = compiled->from + t * (compiled->to - compiled->from);
-        return {std::nullopt,
-                {typed ? field : Field::Family, 0,
-                 name + (std::isfinite(value) ? " is beyond 1e50" : " has no finite value") +
-                     " at t = " + shortText(parameter)}};
+        return noValue(field, t, std::isfinite(value) ? " is beyond 1e50" : " has no finite value");
+      }
+      if (typed && i > 0) {
+        for (const Field field : {Field::X, Field::Y}) {
+          const int k = field == Field::X ? 0 : 1;
+          const auto value = [&](double s) { return curve.pointAt(piece, s)[k]; };
+          const auto pole = poleBetween(value, static_cast<double>(i - 1) / steps, t);
+          if (pole) return noValue(field, *pole, " grows beyond all bounds");
+        }
       }
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
@@ -146,7 +178,14 @@ FormulaCurve::Result FormulaCurve::finished(std::shared_ptr<Compiled> compiled, 
     const std::array<Vec2, 5> d = curve.derivativesAt(piece, t);
     return Jet{d[0], d[1], d[2], d[3]};
   };
-  compiled->cuts = cubicCuts(jet, compiled->pieceCount, typed ? 5 : 3, kNearlyCubic * size);
+  std::vector<double> cuts =
+      cubicCuts(jet, compiled->pieceCount, typed ? 5 : 3, kNearlyCubic * size);
+  constexpr std::size_t kMostCuts = 5000;
+  if (cuts.size() > kMostCuts) {
+    return {std::nullopt,
+            {typed ? Field::To : Field::Family, 0, "the curve turns too often for its domain"}};
+  }
+  compiled->cuts = std::move(cuts);
   return {FormulaCurve(std::move(compiled), at), {}};
 }
 

@@ -29,7 +29,14 @@ constexpr double kZero = 0x1p-43;
 
 // Pieces narrower than this are not halved, and there are never more pieces than that.
 constexpr double kMinWidth = 0x1p-40;
-constexpr int kMaxPieces = 2000;
+constexpr int kMaxPieces = 600;
+
+// Sizes below this have lost bits to underflow: nothing is known there.
+constexpr double kSmallestSize = 1e-290;
+
+// Places over [0, 1] at which the proxies must agree with the function, whatever their pieces: what
+// is narrower than the nodes of a piece but not than these is seen. A prime number.
+constexpr int kProbes = 503;
 
 // Places off the grid at which a proxy must agree with its function, in [0, 1].
 constexpr std::array<double, 4> kChecks = {0.03713, 0.29387, 0.61803, 0.88629};
@@ -144,6 +151,10 @@ class ProxyFinder {
   }
 
   ProxyRoots run() {
+    for (int i = 0; i < kProbes; ++i) {
+      const double t = (i + 0.5) / kProbes;
+      probes_.push_back({t, f_(t)});
+    }
     const Proxy whole = proxyOn(0.0, 1.0, kDegree);
     if (allZero_) {
       result_.roots.identicallyZero = true;
@@ -173,8 +184,10 @@ class ProxyFinder {
       take(m);
       values.push_back(m.value);
     }
-    allZero_ = zero && proxy.finite;
-    if (!proxy.finite) return proxy;
+    if (!proxy.finite) {
+      allZero_ = false;
+      return proxy;
+    }
     proxy.c = coefficientsOf(values);
     double tail = 0.0;
     for (std::size_t j = proxy.c.size() - 3; j < proxy.c.size(); ++j) {
@@ -194,7 +207,31 @@ class ProxyFinder {
         proxy.error = kTailSafety * off;
       }
     }
+    checkAtProbes(low, high, proxy, zero);
+    allZero_ = zero && proxy.finite;
     return proxy;
+  }
+
+  // Compares with what was seen beforehand in [low, high].
+  void checkAtProbes(double low, double high, Proxy& proxy, bool& zero) const {
+    auto probe = std::lower_bound(probes_.begin(), probes_.end(), low,
+                                  [](const Probe& p, double t) { return p.t < t; });
+    for (; probe != probes_.end() && probe->t <= high; ++probe) {
+      const Measured& m = probe->seen;
+      zero = zero && !(std::abs(m.value) > kZero * m.size);
+      if (!std::isfinite(m.value) || !std::isfinite(m.size)) {
+        proxy.finite = false;
+        return;
+      }
+      const double off =
+          std::abs(m.value - clenshaw(proxy.c, (2.0 * probe->t - low - high) / (high - low)));
+      const double rounding = kLebesgue * kRounding * m.size;
+      if (off <= std::max(proxy.error, rounding)) continue;
+      proxy.converged = proxy.converged && off <= 16.0 * proxy.error;
+      proxy.error = kTailSafety * off;
+      proxy.largestSize = std::max(proxy.largestSize, m.size);
+      proxy.largestValue = std::max(proxy.largestValue, std::abs(m.value));
+    }
   }
 
   // The better of two degrees.
@@ -205,10 +242,14 @@ class ProxyFinder {
 
   void process(double low, double high, const Proxy& proxy) {
     const bool last = high - low <= kMinWidth || ++count_ > kMaxPieces;
-    if (!proxy.finite || (!proxy.converged && !isNoise(low, high, proxy))) {
+    const bool underflows = proxy.finite && !(proxy.largestSize >= kSmallestSize);
+    if (!underflows && (!proxy.finite || (!proxy.converged && !isNoise(low, high, proxy)))) {
       if (!last) return divide(low, high);
     }
     if (!proxy.finite) return giveUp(low, high, 0, 1.0);
+    if (!(proxy.largestSize >= kSmallestSize)) {
+      return giveUp(low, high, static_cast<int>(proxy.c.size()) - 1, 1.0);
+    }
     // Nothing but error: halving would only multiply the question.
     const double blur = proxy.error / proxy.largestSize;
     if (proxy.largestValue <= 2.0 * proxy.error && !touchesZeroEnd(low, high)) {
@@ -220,7 +261,7 @@ class ProxyFinder {
     if (!found.resolved() && !last) return divide(low, high);
     result_.pieces.push_back(
         {low, high, static_cast<int>(c.size()) - 1, error / proxy.largestSize});
-    collect(found, low, high);
+    collect(found, low, high, error);
   }
 
   bool touchesZeroEnd(double low, double high) const {
@@ -282,13 +323,16 @@ class ProxyFinder {
     return Bernstein::fromScaled(std::move(scaled));
   }
 
-  void collect(const Roots& found, double low, double high) {
+  void collect(const Roots& found, double low, double high, double error) {
     const auto global = [&](double s) { return s == 1.0 ? high : low + s * (high - low); };
     for (Root root : found.roots) {
       root.low = global(root.low);
       root.high = global(root.high);
       root.t = global(root.t);
-      if (root.low < root.high) polish(root);
+      if (root.low < root.high && !polish(root, error)) {
+        result_.roots.unresolved.push_back({root.low, root.high});
+        continue;
+      }
       result_.roots.roots.push_back(root);
     }
     for (const RootInterval& open : found.unresolved) {
@@ -298,11 +342,20 @@ class ProxyFinder {
   }
 
   // Halves the bracket by signs of the function itself, to adjacent doubles: Illinois, with a plain
-  // halving whenever that does not halve.
-  void polish(Root& root) const {
+  // halving whenever that does not halve. False if the function contradicts the polynomial: its own
+  // sign at an end of the bracket is the other one, by more than both are blurred.
+  bool polish(Root& root, double error) const {
     double a = root.low, b = root.high;
-    double fa = f_(a).value * root.signBefore, fb = f_(b).value * root.signBefore;
-    if (!(fa > 0.0 && fb < 0.0)) return;  // the bracket is at rounding already
+    const int sign = root.signBefore;
+    const Measured ma = f_(a), mb = f_(b);
+    double fa = ma.value * sign, fb = mb.value * sign;
+    if (root.isCrossing() && b - a > 8.0 * 0x1p-53) {
+      const auto clear = [error](const Measured& m) {
+        return 64.0 * std::max(error, kZero * m.size);
+      };
+      if (fa < -clear(ma) || fb > clear(mb)) return false;
+    }
+    if (!(fa > 0.0 && fb < 0.0)) return true;  // the bracket is at rounding already
     bool halve = false;
     while (std::nextafter(a, 2.0) < b) {
       double t = halve ? 0.5 * (a + b) : a + (b - a) * (fa / (fa - fb));
@@ -311,7 +364,7 @@ class ProxyFinder {
       const double before = b - a, ft = f_(t).value * root.signBefore;
       if (ft == 0.0) {
         root.t = root.low = root.high = t;
-        return;
+        return true;
       }
       (ft > 0.0 ? a : b) = t;
       (ft > 0.0 ? fa : fb) = ft;
@@ -319,6 +372,7 @@ class ProxyFinder {
     }
     root.low = a, root.high = b;
     root.t = fa < -fb ? a : b;
+    return true;
   }
 
   // One near-double root can leave its trace on both sides of a cut: say it once.
@@ -341,6 +395,11 @@ class ProxyFinder {
 
   const MeasuredFunction& f_;
   bool zeroAtStart_ = false, zeroAtFinish_ = false, allZero_ = false;
+  struct Probe {
+    double t;
+    Measured seen;
+  };
+  std::vector<Probe> probes_;  // ascending
   int count_ = 0;
   ProxyRoots result_;
 };

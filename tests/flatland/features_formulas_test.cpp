@@ -439,5 +439,64 @@ TEST(FormulaVisibility, CircleIsHiddenBehindItself) {
   EXPECT_NEAR(seen[0].tHigh, 0.5, 1e-8);
 }
 
+TEST(FormulaMarks, KinkOfAFormulaIsACorner) {
+  const struct {
+    const char* y;
+    double t;
+  } cases[] = {{"abs(t)", 0.5}, {"abs(t-0.3)", 0.65}, {"sqrt(t^2)", 0.5}, {"abs(t)+0.1*t^2", 0.5}};
+  for (const auto& [y, t] : cases) {
+    const FeatureSet found = findFeatures(sceneOf(typed("t", y, "-1", "1"), 80.0));
+    const std::vector<Mark> corners = marksOf(found, {MarkKind::Corner});
+    ASSERT_EQ(corners.size(), 1u) << y << ": " << said(found);
+    EXPECT_NEAR(corners[0].t, t, 1e-12) << y;
+  }
+}
+
+TEST(FormulaMarks, JumpOfCurvatureThroughZeroIsAnInflection) {
+  const FeatureSet found = findFeatures(sceneOf(typed("t", "abs(t)*t+t^3", "-1", "1"), 80.0));
+  const std::vector<Mark> marks = marksOf(found, {MarkKind::Inflection});
+  ASSERT_EQ(marks.size(), 1u) << said(found);
+  EXPECT_NEAR(marks[0].t, 0.5, 1e-12);
+}
+
+TEST(FormulaMarks, InflectionBesideAKinkIsExact) {
+  const FeatureSet found =
+      findFeatures(sceneOf(typed("abs(t)+t", "(abs(t)+t)^3-3*(abs(t)+t)^2", "-1", "1"), 80.0));
+  const std::vector<Mark> marks = marksOf(found, {MarkKind::Inflection});
+  ASSERT_EQ(marks.size(), 1u) << said(found);
+  EXPECT_NEAR(marks[0].t, 0.75, 1e-12);
+}
+
+TEST(FormulaMarks, NarrowBumpIsNotCalledStraightOrEmpty) {
+  for (const char* y : {"exp(-1e6*(t-0.3141)^2)", "exp(-1e8*(t-0.3141)^2)"}) {
+    const FeatureSet found = findFeatures(sceneOf(typed("t", y, "0", "1"), 80.0));
+    EXPECT_TRUE(found.degenerate.empty()) << y;
+    EXPECT_TRUE(!found.complete() || !marksOf(found, {MarkKind::Inflection}).empty()) << y;
+  }
+}
+
+TEST(FormulaMarks, UnderflowIsStatedAndBoundsAreNumbers) {
+  const FeatureSet found = findFeatures(sceneOf(family("gaussian", {1.0, 0.2, 6.0}), 80.0));
+  EXPECT_TRUE(std::isfinite(found.errorBound()));
+  for (const CurveSearch& search : found.searches) EXPECT_LT(search.pieces, 2000);
+}
+
+TEST(FormulaMarks, PoleInsideTheDomainIsRefused) {
+  const struct {
+    const char *x, *y;
+  } cases[] = {{"1/t", "t"}, {"t", "1/(t-0.3)"}, {"t", "tan(2*t)"}};
+  for (const auto& [x, y] : cases) {
+    const auto made = FormulaCurve::make(TypedFormula{x, y, "-1", "1", {}});
+    EXPECT_FALSE(made.curve) << x << ", " << y;
+  }
+  EXPECT_TRUE(FormulaCurve::make(TypedFormula{"t", "tan(t)", "-1", "1", {}}).curve);
+  EXPECT_TRUE(FormulaCurve::make(TypedFormula{"t", "t^3", "-1", "1", {}}).curve);
+}
+
+TEST(FormulaMarks, CurveThatTurnsTooOftenIsRefused) {
+  EXPECT_FALSE(FormulaCurve::make(TypedFormula{"t", "sin(1e6*t)", "0", "1", {}}).curve);
+  EXPECT_TRUE(FormulaCurve::make(TypedFormula{"t", "sin(100*t)", "0", "1", {}}).curve);
+}
+
 }  // namespace
 }  // namespace flatland::test
