@@ -74,8 +74,10 @@ void addSides(std::string& text, const char* variant, std::string_view leftName,
   text += "  " + std::string(variant) + std::string(leftName) + " = " +
           list(sides.left, "  ", false) + "\n";
   text += "              " + std::string(rightName) + " = " + list(sides.right, "  ", false) + "\n";
-  text += "              residual " + shortNumber(sides.residual) + ", sides apart by " +
-          shortNumber(sides.apart) + "\n";
+  text += "              residual " + shortNumber(sides.residual);
+  // Against 0 the relative distance is 1 for any rounding: it says nothing.
+  text += rightName == "0" ? ": zero but for rounding, as for any unit vector\n"
+                           : ", sides apart by " + shortNumber(sides.apart) + "\n";
 }
 
 }  // namespace

@@ -106,6 +106,16 @@ std::vector<std::string> familiesFrom(const Entry& entry) {
   return families;
 }
 
+std::string panelFrom(const Entry& entry) {
+  const std::string id = entry.text();
+  std::string known;
+  for (const std::string_view panel : kLessonPanels) {
+    if (panel == id) return id;
+    known += (known.empty() ? "" : ", ") + std::string(panel);
+  }
+  entry.fail("no such panel; there are " + known);
+}
+
 void readProbe(const Entry& entry, LessonState& state) {
   const auto whole = [&](const json& value) {
     return value.is_number_unsigned() && value.get<std::size_t>() < 1000000U;
@@ -141,6 +151,9 @@ void apply(const json& block, const std::string& place, const std::string& sourc
     throw InputError(source, place, "has both \"scene\" and \"preset\"; give one");
   }
   LessonState& state = step.state;
+  for (const char* key : {"preset", "scene", "viewAngleDeg", "probe"}) {
+    step.setsPlace = step.setsPlace || block.contains(key);
+  }
   for (const auto& [key, value] : block.items()) {
     const Entry entry(value, key, place, source);
     if (key == "preset" || key == "scene") {
@@ -162,7 +175,7 @@ void apply(const json& block, const std::string& place, const std::string& sourc
     } else if (key == "printedRoots") {
       state.printedRoots = entry.boolean();
     } else if (key == "panel") {
-      state.panel = entry.text();
+      state.panel = panelFrom(entry);
     } else if (key == "stop") {
       step.stop = entry.boolean();
     } else {

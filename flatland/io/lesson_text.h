@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "flatland/io/input_error.h"
@@ -18,8 +19,9 @@ struct LessonState {
   std::optional<Scene> scene;          ///< empty: the person's own
   std::optional<double> viewAngleDeg;  ///< over the scene's own view
   std::size_t probeCurve = 0;
-  std::optional<double> probeT;       ///< empty: the probe stays where it is
-  std::vector<std::string> families;  ///< names of nameOf(MarkKind); empty: as the person has them
+  std::optional<double> probeT;  ///< empty: the probe stays where it is
+  /// Names of nameOf(MarkKind), perhaps none; empty: as the person has them.
+  std::optional<std::vector<std::string>> families;
   std::optional<DerivationStep> equation;
   bool printed = false;       ///< the equation as the thesis prints it
   bool printedRoots = false;  ///< the roots of (3.13) as printed, on the curve
@@ -30,6 +32,8 @@ struct LessonStep {
   std::string title;
   std::string text;   ///< Markdown
   bool stop = false;  ///< a place to talk at: "next stop" goes here
+  /// Names its scene, view or probe itself: they are shown anew, whatever was dragged before.
+  bool setsPlace = false;
   LessonState state;
 };
 
@@ -38,6 +42,11 @@ struct Lesson {
   std::string title;
   std::vector<LessonStep> steps;  ///< at least one
 };
+
+/// The panels that a step may ask for: the docks of the window.
+inline constexpr std::string_view kLessonPanels[] = {"view",   "legend", "probe", "points",
+                                                     "curve",  "plots",  "sweep", "study",
+                                                     "limits", "marks",  "lesson"};
 
 inline constexpr std::size_t kLargestLessonBytes = 1024U * 1024U;
 inline constexpr std::size_t kMostLessonSteps = 500;

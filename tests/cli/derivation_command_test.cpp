@@ -47,6 +47,14 @@ TEST(DerivationCommand, JsonHasBothVariantsOfEveryMisprint) {
               1e-13);
 }
 
+TEST(DerivationCommand, AnIdentityAgainstZeroIsNotCalledApart) {
+  const ProgramResult result = run({"derivation", "preset:thesis", "--t", "0.3"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const std::string first = result.out.substr(0, result.out.find("(3.2)"));
+  EXPECT_EQ(first.find("apart"), std::string::npos) << first;
+  EXPECT_NE(first.find("zero but for rounding"), std::string::npos) << first;
+}
+
 TEST(DerivationCommand, CsvHasARowForEachVariant) {
   const ProgramResult result =
       run({"derivation", "preset:loop", "--t", "0.6", "--format", "csv", "--view-angle", "10"});

@@ -39,12 +39,20 @@ TEST(LessonText, StepsKeepWhatTheyDoNotName) {
   EXPECT_EQ(lesson.steps[1].state.probeT, 0.25);
   EXPECT_TRUE(lesson.steps[1].state.printed);
   EXPECT_EQ(lesson.steps[1].state.equation, DerivationStep::Eq3_10);
-  EXPECT_EQ(lesson.steps[1].state.families, std::vector<std::string>{"ridge"});
+  EXPECT_EQ(*lesson.steps[1].state.families, std::vector<std::string>{"ridge"});
   // Another equation begins as corrected; another scene with its own view and no probe.
   EXPECT_FALSE(lesson.steps[2].state.printed);
   EXPECT_EQ(lesson.steps[2].state.probeT, 0.5);
   EXPECT_FALSE(lesson.steps[3].state.viewAngleDeg);
   EXPECT_FALSE(lesson.steps[3].state.probeT);
+}
+
+TEST(LessonText, NoFamiliesIsNotTheSameAsNotNamingThem) {
+  const Lesson lesson =
+      lessonFromText("# A\n## B\ntext\n## C\n" + block(R"({"families": []})"), "l.md");
+  EXPECT_FALSE(lesson.steps[0].state.families);
+  ASSERT_TRUE(lesson.steps[1].state.families);
+  EXPECT_TRUE(lesson.steps[1].state.families->empty());
 }
 
 TEST(LessonText, OtherBlocksAreText) {
@@ -80,6 +88,9 @@ TEST(LessonText, RefusesWithLineAndReason) {
       refusal("# A\n## B\n" + block(R"({"equation": "3.5", "printed": true})")).find("misprints"),
       std::string::npos);
   EXPECT_NE(refusal("# A\n## B\n" + block("{}") + block("{}")).find("line 6: a second block"),
+            std::string::npos);
+  EXPECT_NE(refusal("# A\n## B\n" + block(R"({"panel": "sweeep"})"))
+                .find("line 3: \"panel\": no such panel; there are view, "),
             std::string::npos);
   EXPECT_NE(refusal("# A\n## B\n\xFF\n").find("line 3: not UTF-8"), std::string::npos);
   EXPECT_NE(refusal(std::string(kLargestLessonBytes + 1, 'x')).find("too large"),

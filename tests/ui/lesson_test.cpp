@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A lesson is given by mouse and keys, and the person's own work comes back whole.
 #include <QCheckBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QFile>
 #include <QImage>
@@ -11,6 +12,7 @@
 #include <QToolButton>
 
 #include "tests/ui/support_window.h"
+#include "ui/commands/scene_commands.h"
 #include "ui/lesson/formula_view.h"
 #include "ui/lesson/lesson_panel.h"
 #include "ui/plot/step_size_plot.h"
@@ -135,6 +137,106 @@ class LessonTest : public QObject {
     QVERIFY2(d.scene() == edited, "what was drawn in the lesson");
   }
 
+  void ownSceneComesBackWhereUndoWentBelowTheLesson() {
+    WindowDriver& d = *driver_;
+    QVERIFY(d.window().files().saveTo(d.path("own.json")));
+    d.drag(d.atPoint(1), d.atPoint(1) + QPoint(30, 10));
+    const Scene own = d.scene();
+    d.trigger("lesson.shipped.silhouette");
+    d.trigger("edit.undo");
+    d.trigger("edit.undo");
+    d.canvasKey(Qt::Key_PageDown);
+    QVERIFY(!(d.scene() == own));
+    d.trigger("file.save");
+    QVERIFY(d.scene() == own);
+    d.document().open(d.path("own.json").toStdString());
+    QVERIFY2(d.scene() == own, "the file has the person's scene, not the lesson's");
+  }
+
+  void claimsAboutValuesHoldWhateverWasDoneBefore() {
+    WindowDriver& d = *driver_;
+    d.trigger("lesson.shipped.apparent-ridge");
+    LessonModel& lesson = d.window().lesson();
+    for (int i = 9; i <= 15; ++i) {
+      lesson.goTo(i - 1);
+      Scene turned = d.scene();
+      turned.view.angleDeg = 180.0;
+      d.document().push(std::make_unique<ReplaceScene>(d.document(), turned, "turn"));
+      d.window().probe().setPlace(std::nullopt);
+      d.canvasKey(Qt::Key_PageDown);
+      QCOMPARE(lesson.index(), i);
+      QCOMPARE(d.scene().view.angleDeg, 20.0);
+      const auto reading = lesson.reading();
+      QVERIFY2(reading && reading->corrected, lesson.step().title.c_str());
+      if (i == 9) {
+        const StepSides& printed = *reading->printed;
+        QVERIFY(std::abs(printed.left.entries[0]) > 0.01);
+        QVERIFY(std::abs(printed.left.entries[0] + printed.right.entries[0]) < 1e-12);
+      }
+      QCOMPARE(d.window().display().showsPrintedRoots(), i == 14);
+    }
+  }
+
+  void aLessonKnowsThePanelsOfTheWindow() {
+    QStringList known;
+    for (const std::string_view id : kLessonPanels)
+      known << QString::fromStdString(std::string(id));
+    QStringList docks;
+    for (const QDockWidget* dock : driver_->window().findChildren<QDockWidget*>()) {
+      docks << dock->objectName();
+    }
+    known.sort();
+    docks.sort();
+    QCOMPARE(known, docks);
+  }
+
+  void theStripShowsItAllWithoutScrolling() {
+    WindowDriver& d = *driver_;
+    d.window().resize(1280, 800);
+    d.settle();
+    d.trigger("lesson.shipped.apparent-ridge");
+    d.window().lesson().goTo(14);
+    d.settle();
+    seen("lesson.values");
+    seen("lesson.printed");
+    seen("lesson.printed-roots");
+    QVERIFY(d.child<QWidget>("lesson.formula").height() >= 30);
+  }
+
+  void theProjectorKeepsTheStrip() {
+    WindowDriver& d = *driver_;
+    d.trigger("lesson.shipped.apparent-ridge");
+    d.window().lesson().goTo(9);
+    d.canvasKey(Qt::Key_F11);
+    d.settle();
+    seen("lesson.values");
+    seen("lesson.words");
+    QVERIFY(d.child<QWidget>("lesson.formula").height() >= 30);
+    d.trigger("lesson.step.leave");
+    QVERIFY(!d.child<QDockWidget>("lesson").isVisible());
+    d.trigger("lesson.shipped.offset");
+    QVERIFY(d.child<QDockWidget>("lesson").isVisible());
+    d.canvasKey(Qt::Key_F11);
+  }
+
+  void cancelledFileDialogsLeaveTheLessonOpen() {
+    WindowDriver& d = *driver_;
+    d.trigger("lesson.shipped.silhouette");
+    const Scene shown = d.scene();
+    for (const char* action : {"file.open", "file.save-as"}) {
+      whenModal([](QWidget& dialog) { static_cast<QDialog&>(dialog).reject(); });
+      d.trigger(action);
+      QVERIFY2(d.window().lesson().isOpen(), action);
+      QVERIFY(d.scene() == shown);
+    }
+    d.trigger("lesson.step.leave");
+    d.drag(d.atPoint(1), d.atPoint(1) + QPoint(30, 10));
+    d.trigger("lesson.shipped.silhouette");
+    whenModal([](QWidget& dialog) { static_cast<QDialog&>(dialog).reject(); });
+    d.trigger("file.new");
+    QVERIFY2(d.window().lesson().isOpen(), "unsaved work, the question cancelled");
+  }
+
   void savingSavesTheOwnScene() {
     WindowDriver& d = *driver_;
     const Scene own = d.scene();
@@ -250,6 +352,11 @@ class LessonTest : public QObject {
   }
 
  private:
+  void seen(const char* name) {
+    const QWidget& widget = driver_->child<QWidget>(name);
+    QVERIFY2(widget.isVisible() && widget.visibleRegion().boundingRect() == widget.rect(), name);
+  }
+
   // Counted and measured here anew: maxima by their parameter, distances by arc length.
   QString missesExpected() {
     const Scene& scene = driver_->scene();

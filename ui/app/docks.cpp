@@ -117,4 +117,18 @@ void Docks::show(const char* id) {
   }
 }
 
+void Docks::showWithHeight(const char* id, int height) {
+  show(id);
+  for (QDockWidget* dock : all_) {
+    if (dock->objectName() != QLatin1String(id) || dock->isFloating()) continue;
+    window_.resizeDocks({dock}, {qMin(height, window_.height() * 9 / 20)}, Qt::Vertical);
+  }
+}
+
+void Docks::hide(const char* id) {
+  for (QDockWidget* dock : all_) {
+    if (dock->objectName() == QLatin1String(id)) dock->hide();
+  }
+}
+
 }  // namespace flatland::ui

@@ -43,6 +43,11 @@ class Docks {
   /// Opens the panel and brings it to the front.
   void show(const char* id);
 
+  /// The same, with its row this many pixels high, but less than half of the window.
+  void showWithHeight(const char* id, int height);
+
+  void hide(const char* id);
+
  private:
   QList<QDockWidget*> inGroup(Group group) const;
 

@@ -79,12 +79,10 @@ void FileController::openFile(const QString& name) {
 }
 
 bool FileController::save() {
-  emit aboutToUseFile();
   return document_.file().empty() ? saveAs() : saveTo(toQString(document_.file()));
 }
 
 bool FileController::saveAs() {
-  emit aboutToUseFile();
   QString name =
       QFileDialog::getSaveFileName(&window_, tr("Save scene as"), suggestedName(), filter());
   if (name.isEmpty()) return false;
@@ -116,8 +114,10 @@ bool FileController::saveTo(const QString& name) {
 }
 
 bool FileController::mayDiscard() {
-  emit aboutToUseFile();
-  if (!document_.isModified()) return true;
+  if (!(hasUnsavedWork_ ? hasUnsavedWork_() : document_.isModified())) {
+    emit aboutToUseFile();
+    return true;
+  }
   QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
                   tr("Save the changes to %1?").arg(shownName(document_)),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
@@ -128,6 +128,7 @@ bool FileController::mayDiscard() {
     case QMessageBox::Save:
       return save();
     case QMessageBox::Discard:
+      emit aboutToUseFile();
       return true;
     default:
       return false;

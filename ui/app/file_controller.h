@@ -3,6 +3,8 @@
 
 #include <QObject>
 #include <QStringList>
+#include <functional>
+#include <utility>
 
 #include "flatland/scene/scene.h"
 #include "ui/model/document.h"
@@ -36,6 +38,9 @@ class FileController : public QObject {
   /// True if nothing unsaved is left, the person let it go, or it has been saved now.
   bool mayDiscard();
 
+  /// What mayDiscard() asks instead of Document::isModified(): a lesson is no work of the person's.
+  void setUnsavedWork(std::function<bool()> has) { hasUnsavedWork_ = std::move(has); }
+
   /// True if there is no such file, or the person says it may be replaced.
   bool mayReplace(const QString& name);
 
@@ -45,7 +50,7 @@ class FileController : public QObject {
   static constexpr int kRecentFiles = 8;
 
  signals:
-  /// Before the scene is saved, or asked about and given up.
+  /// Before the scene is saved or given up, when every question about that has been answered.
   void aboutToUseFile();
   void recentFilesChanged();
 
@@ -59,6 +64,7 @@ class FileController : public QObject {
   Document& document_;
   MessageBar& messages_;
   QSettings* settings_;
+  std::function<bool()> hasUnsavedWork_;
 };
 
 /// "Untitled" or the name of the file without its folder.

@@ -30,6 +30,7 @@ namespace flatland::ui {
 namespace {
 
 constexpr QSize kDefaultSize(1280, 800);
+constexpr int kLessonHeight = 270;  ///< formula, both sides and switches, nothing scrolled away
 
 QString droppedFile(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
@@ -127,14 +128,28 @@ void MainWindow::connectParts() {
   connect(&display_, &Display::changed, status_,
           [this] { status_->setFewFields(display_.isProjector()); });
   connect(lessons_, &LessonFiles::failed, messages_, &MessageBar::showError);
-  connect(lessons_, &LessonFiles::opened, this, [this] {
+  const auto showStrip = [this] {
+    docks_->showWithHeight("lesson", qRound(kLessonHeight * display_.uiScale()));
+  };
+  connect(lessons_, &LessonFiles::opened, this, [this, showStrip] {
     messages_->hide();
-    docks_->show("lesson");
+    showStrip();
+  });
+  // In front of a class there is the strip as long as there is a lesson, and not longer.
+  const auto hideStrip = [this] {
+    const bool projector = layouts_->current() == Layouts::Kind::Projector;
+    if (projector && !lesson_.isOpen()) docks_->hide("lesson");
+  };
+  connect(&lesson_, &LessonModel::changed, this, hideStrip);
+  connect(layouts_, &Layouts::changed, this, [this, showStrip, hideStrip] {
+    hideStrip();
+    if (lesson_.isOpen() && layouts_->current() == Layouts::Kind::Projector) showStrip();
   });
   connect(&lesson_, &LessonModel::panelWanted, this,
           [this](const QString& id) { docks_->show(id.toLatin1().constData()); });
   // A file is about the person's own scene, never about a step's.
   connect(files_, &FileController::aboutToUseFile, &lesson_, &LessonModel::leave);
+  files_->setUnsavedWork([this] { return lesson_.hasUnsavedWork(); });
   connect(edits_, &EditController::refused, status_, &StatusLine::say);
   connect(&document_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
   connect(&document_, &Document::changed, this, [this](const Change& change) {

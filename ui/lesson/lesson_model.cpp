@@ -40,18 +40,28 @@ void LessonModel::start(Lesson lesson) {
   apply(false);
 }
 
+bool LessonModel::onlyStepsSince(const Own& own) const {
+  const QUndoStack& stack = document_.undoStack();
+  bool onlySteps = stack.index() >= own.undoIndex;
+  for (int i = own.undoIndex; i < stack.index(); ++i) {
+    onlySteps = onlySteps && stack.command(i)->id() == kLessonCommandId;
+  }
+  return onlySteps;
+}
+
+bool LessonModel::hasUnsavedWork() const {
+  if (!lesson_ || !onlyStepsSince(*own_)) return document_.isModified();
+  return document_.undoStack().cleanIndex() != own_->undoIndex;
+}
+
 void LessonModel::leave() {
   if (!lesson_) return;
   lesson_.reset();
   const Own own = *std::exchange(own_, std::nullopt);
   QUndoStack& stack = document_.undoStack();
-  bool onlySteps = stack.index() >= own.undoIndex;
-  for (int i = own.undoIndex; i < stack.index(); ++i) {
-    onlySteps = onlySteps && stack.command(i)->id() == kLessonCommandId;
-  }
-  if (onlySteps) {
-    stack.setIndex(own.undoIndex);
-  } else {
+  if (onlyStepsSince(own)) stack.setIndex(own.undoIndex);
+  // Where undo went below the start and a step was pushed there, that is no longer the own scene.
+  if (!(document_.scene() == own.scene)) {
     document_.push(std::make_unique<ReplaceScene>(document_, own.scene, tr("leave lesson")));
   }
   probe_.setPlace(own.place);
@@ -68,7 +78,8 @@ void LessonModel::goTo(int index) {
   const LessonState before = step().state;
   const bool near = std::abs(index - index_) == 1;
   index_ = index;
-  apply(near && sameScene(before, step().state) && sameProbe(before, step().state));
+  apply(near && !step().setsPlace && sameScene(before, step().state) &&
+        sameProbe(before, step().state));
 }
 
 void LessonModel::nextStop() {
@@ -91,16 +102,18 @@ void LessonModel::apply(bool keepScene) {
   if (!keepScene) {
     Scene scene = state.scene ? *state.scene : own_->scene;
     if (state.viewAngleDeg) scene.view.angleDeg = normalizedDeg(*state.viewAngleDeg);
-    showing_ = true;  // the stack counts the command only after it was done
-    document_.push(std::make_unique<ShowLessonStep>(
-        document_, std::move(scene), tr("lesson: %1").arg(QString::fromStdString(step().title))));
-    showing_ = false;
+    if (!(document_.scene() == scene)) {
+      showing_ = true;  // the stack counts the command only after it was done
+      document_.push(std::make_unique<ShowLessonStep>(
+          document_, std::move(scene), tr("lesson: %1").arg(QString::fromStdString(step().title))));
+      showing_ = false;
+    }
     if (state.probeT) probe_.setPlace(Probe::Place{state.probeCurve, *state.probeT});
   }
   if (state.equation && !probe_.place()) probe_.moveBy(0.0);
-  if (!state.families.empty()) {
+  if (state.families) {
     MarkKinds wanted;
-    for (const std::string& name : state.families) {
+    for (const std::string& name : *state.families) {
       wanted.set(static_cast<std::size_t>(*markKindNamed(name)));
     }
     for (const MarkKind kind : markKindsInLegendOrder()) {

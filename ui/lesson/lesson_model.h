@@ -29,6 +29,9 @@ class LessonModel : public QObject {
   /// more command, so that edits made in the lesson can be undone to.
   void leave();
 
+  /// Whether the document would be modified if the lesson were left, or is, if none is open.
+  bool hasUnsavedWork() const;
+
   bool isOpen() const { return lesson_.has_value(); }
   /// Precondition for the next three: isOpen().
   const Lesson& lesson() const { return *lesson_; }
@@ -37,7 +40,7 @@ class LessonModel : public QObject {
   int count() const { return lesson_ ? static_cast<int>(lesson_->steps.size()) : 0; }
 
   /// Steps out of range are not gone to. Next to a step of the same scene and view, what was
-  /// dragged stays dragged.
+  /// dragged stays dragged, unless the step itself names its scene, view or probe.
   void goTo(int index);
   void next() { goTo(index_ + 1); }
   void back() { goTo(index_ - 1); }
@@ -76,6 +79,7 @@ class LessonModel : public QObject {
 
   void apply(bool keepScene);
   void follow(const Change& change);
+  bool onlyStepsSince(const Own& own) const;
   std::optional<int> stopAfter(int index) const;
   std::optional<DerivationPlace> placeOfProbe() const;
 

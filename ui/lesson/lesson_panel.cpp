@@ -90,6 +90,13 @@ QLayout* LessonPanel::buildEquation() {
   formula_ = new FormulaView(this);
   formula_->setObjectName("lesson.formula");
   column->addWidget(formula_, 1);
+  values_ = new QLabel(this);
+  values_->setObjectName("lesson.values");
+  values_->setAccessibleName(tr("Values"));
+  values_->setToolTip(tr("The values of both sides at the probe"));
+  values_->setTextFormat(Qt::RichText);
+  values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(values_);
   auto* row = new QHBoxLayout;
   printed_ = addButton("lesson.printed", tr("As printed"), tr("The equation as the thesis has it"));
   corrected_ = addButton("lesson.corrected", tr("Corrected"), tr("The equation as it should be"));
@@ -112,13 +119,6 @@ QLayout* LessonPanel::buildEquation() {
   row->addWidget(roots_);
   row->addStretch(1);
   column->addLayout(row);
-  values_ = new QLabel(this);
-  values_->setObjectName("lesson.values");
-  values_->setAccessibleName(tr("Values"));
-  values_->setToolTip(tr("The values of both sides at the probe"));
-  values_->setTextFormat(Qt::RichText);
-  values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  column->addWidget(values_);
   return column;
 }
 
