@@ -24,8 +24,8 @@ constexpr int kSlideSteps = 1000;
 // Nearer than this to the silhouette, n.w is zero but for the rounding of the view's angle.
 constexpr double kAtSilhouette = 1e-12;
 
-std::optional<LimitSeries> run(LimitExperiment experiment, const Scene& scene, int curve,
-                               double t) {
+std::optional<LimitSeries> run(LimitExperiment experiment, const Scene& scene, int curve, double t,
+                               const JobControl& control) {
   switch (experiment) {
     case LimitExperiment::Turn:
       return turnToSilhouette(scene, curve, t);
@@ -34,7 +34,7 @@ std::optional<LimitSeries> run(LimitExperiment experiment, const Scene& scene, i
     case LimitExperiment::Slide:
       break;
   }
-  return slideIntoSilhouette(scene, curve, t);
+  return slideIntoSilhouette(scene, curve, t, [&control] { return !control.isCancelled(); });
 }
 
 }  // namespace
@@ -178,6 +178,7 @@ void LimitsPanel::turnTo(double nw) {
 
 void LimitsPanel::sceneChanged() {
   waiting_ = true;
+  export_->setEnabled(false);  // the diagram is of an earlier scene
   showNow();
   if (isVisible()) start();
 }
@@ -197,8 +198,9 @@ void LimitsPanel::start() {
   using Result = std::optional<LimitSeries>;
   const auto experiment = static_cast<LimitExperiment>(experiment_->currentIndex());
   job_.start<Result>(
-      [experiment, scene = models_.document.scene(), at = *at](const JobControl&) {
-        return std::optional<Result>(run(experiment, scene, static_cast<int>(at.curve), at.t));
+      [experiment, scene = models_.document.scene(), at = *at](const JobControl& control) {
+        return std::optional<Result>(
+            run(experiment, scene, static_cast<int>(at.curve), at.t, control));
       },
       [this](const Result& result) { showSeries(result); });
 }
@@ -296,13 +298,14 @@ QString LimitsPanel::explanation() const {
 }
 
 void LimitsPanel::exportDiagram() {
-  if (!view_->series()) return;
-  const QString text =
-      exportFigureFile(this, {.suggestedName = tr("limits"),
-                              .title = "Flatland, limits at a silhouette",
-                              .sceneJson = sceneToJson(models_.document.scene()),
-                              .figure = [this] { return view_->figureForFile(); },
-                              .table = [this] { return limitsToCsv({*view_->series()}); }});
+  if (!view_->series() || isStale()) return;
+  // While the dialog is open the next series may arrive, or none: all of the file is of this one.
+  const QString text = exportFigureFile(
+      this, {.suggestedName = tr("limits"),
+             .title = "Flatland, limits at a silhouette",
+             .sceneJson = sceneToJson(models_.document.scene()),
+             .figure = [figure = view_->figureForFile()] { return figure; },
+             .table = [series = *view_->series()] { return limitsToCsv({series}); }});
   if (!text.isEmpty()) emit said(text);
 }
 

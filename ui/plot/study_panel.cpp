@@ -203,11 +203,13 @@ void StudyPanel::writeTable() {
 }
 
 void StudyPanel::exportPicture() {
+  if (!source_.data()) return;
+  // While the dialog is open the study may run on: the file is what was shown.
   const QString text =
       exportFigureFile(this, {.suggestedName = tr("study"),
                               .title = "Flatland, offset study",
                               .sceneJson = {},
-                              .figure = [this] { return view_->figureForFile(); }});
+                              .figure = [figure = view_->figureForFile()] { return figure; }});
   if (!text.isEmpty()) emit said(text);
 }
 

@@ -174,13 +174,15 @@ void SweepPanel::showState() {
 }
 
 void SweepPanel::exportDiagram() {
-  const SweepData& shown = *source_.data();
+  // While the dialog is open the next sweep may arrive: all of the file is of this one.
+  const std::shared_ptr<const SweepData> shown = source_.data();
+  if (!shown) return;
   const QString text =
       exportFigureFile(this, {.suggestedName = tr("sweep"),
                               .title = "Flatland, view sweep",
-                              .sceneJson = sceneToJson(shown.scene),
-                              .figure = [this] { return view_->figureForFile(); },
-                              .table = [&shown] { return sweepToCsv(shown.sweep); }});
+                              .sceneJson = sceneToJson(shown->scene),
+                              .figure = [figure = view_->figureForFile()] { return figure; },
+                              .table = [shown] { return sweepToCsv(shown->sweep); }});
   if (!text.isEmpty()) emit said(text);
 }
 

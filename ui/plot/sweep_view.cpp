@@ -146,7 +146,9 @@ void SweepView::paintOverlay(QPainter& painter, const SweepAxes& axes) {
   painter.drawLine(QPointF(x, box.top), QPointF(x, box.bottom));
   const auto& place = models_.probe.place();
   const SweepData& shown = *source_.data();
-  if (place && place->curve < shown.scene.curves.size()) {
+  // A probe on the new curve has no place on the axis of an earlier one.
+  if (place && place->curve < shown.scene.curves.size() &&
+      shown.scene.curves[place->curve] == models_.document.scene().curves[place->curve]) {
     const int curve = static_cast<int>(place->curve);
     const double y = axes.y(curve, shown.lengthAt(curve, place->t));
     painter.setPen(QPen(toQColor(colours.text), 1.2, Qt::DotLine));
