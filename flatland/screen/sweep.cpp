@@ -16,10 +16,9 @@ namespace {
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kMaxAngleStepDeg = 2.0;
 constexpr double kMaxLengthStep = 0.01;  // of the curve
-// Nearer neighbours are one place. Where the speed vanishes curvature is infinite and the angle
-// computed there is noise, which no halving would smooth.
-constexpr double kMinLengthStep = 1e-10;  // of the curve
-constexpr int kMaxHalvings = 40;
+// Enough for a tangent that turns within 1e-8 of a branch. Where the speed vanishes to second order
+// angles within about 1e-5 of the place are noise, which no halving smooths: some thousand samples.
+constexpr int kMaxHalvings = 28;
 constexpr double kLengthAccuracy = 1e-12;  // of the control polygon
 
 double angleDegOf(const Vec2& v) { return std::atan2(v.y(), v.x()) * kDegPerRad; }
@@ -125,13 +124,23 @@ class CurveSweeper {
   // that of the limit, so the ends are taken a hair inside.
   template <class Angle>
   void addBranch(MarkKind kind, double low, double high, Angle angleOf) {
-    const double hair = 0x1p-40 * (high - low);
     const auto sample = [&](double t) {
       return SweepPoint{angleOf(jetAt(curve_, piece_, t)), piece_ + t, 0.0};
     };
-    SweepBranch branch{kind, index_, {sample(low + hair)}};
-    branch.points.front().u = lengthAt(low + hair);
-    refine(branch, sample(high - hair), sample, 0);
+    // Where the speed vanishes to a higher order it rounds to 0 a hair inside too.
+    const auto endSample = [&](double end, double inwards) {
+      double hair = 0x1p-40;
+      SweepPoint point = sample(end + hair * inwards);
+      while (!std::isfinite(point.angleDeg) && hair < 0x1p-4) {
+        hair *= 2.0;
+        point = sample(end + hair * inwards);
+      }
+      return point;
+    };
+    SweepBranch branch{kind, index_, {endSample(low, high - low)}};
+    if (!std::isfinite(branch.points.front().angleDeg)) return;
+    branch.points.front().u = lengthAt(branch.points.front().t - piece_);
+    refine(branch, endSample(high, low - high), sample, 0);
     for (std::size_t i = 1; i < branch.points.size(); ++i) {
       const SweepPoint& before = branch.points[i - 1];
       SweepPoint& point = branch.points[i];
@@ -144,11 +153,12 @@ class CurveSweeper {
   template <class Sample>
   void refine(SweepBranch& branch, SweepPoint to, const Sample& sample, int depth) {
     const SweepPoint& from = branch.points.back();
+    if (!std::isfinite(to.angleDeg)) to.angleDeg = from.angleDeg;
     to.angleDeg = from.angleDeg + halfTurnDeg(to.angleDeg - from.angleDeg);
     const double chord = (pointAt(curve_, to.t) - pointAt(curve_, from.t)).norm();
     const bool close = std::abs(to.angleDeg - from.angleDeg) <= kMaxAngleStepDeg &&
                        chord <= kMaxLengthStep * length_ && depth >= 4;
-    if (close || depth == kMaxHalvings || chord <= kMinLengthStep * length_) {
+    if (close || depth == kMaxHalvings) {
       branch.points.push_back(to);
       return;
     }

@@ -220,8 +220,10 @@ TEST(DegeneratePresets, TheWholeCatalogue) {
     for (const SweepBranch& branch : sweepOf(p.scene).branches) points += branch.points.size();
     EXPECT_LT(points, 100'000U) << p.id;  // where curvature is infinite there is no end of detail
     const FeatureSet found = findFeatures(p.scene);
-    // The search by sampling knows marks inside smooth pieces, not a zero of the speed there.
-    if (!p.expected.empty() && p.id != "pause" && p.id != "cusp" && found.degenerate.empty()) {
+    // The search by sampling knows sign changes inside smooth pieces: no zero of the speed, and no
+    // silhouette that only touches.
+    const bool known = p.id != "pause" && p.id != "cusp" && p.id != "silhouette-at-inflection";
+    if (!p.expected.empty() && known && found.degenerate.empty()) {
       EXPECT_EQ(differenceFromBrute(p.scene, found, 0), "") << p.id;
     }
   }

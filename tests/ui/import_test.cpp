@@ -55,7 +55,9 @@ class ImportTest : public QObject {
     WindowDriver& d = *driver_;
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(drawing_)});
-    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&d.window(), &enter);
+    QDropEvent drop({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, {});
     QCoreApplication::sendEvent(&d.window(), &drop);
     d.settle();
     checkOpened();
