@@ -11,7 +11,7 @@ namespace {
 // paper is degenerate in the machine, to the last bit. tests/flatland/degenerate_presets_test.cpp
 // holds the answers in numbers.
 
-Preset degenerate(std::string id, std::string name, std::string description, BezierChain shape,
+Preset degenerate(std::string id, std::string name, std::string description, Curve shape,
                   double viewDeg, std::string expected) {
   return {std::move(id),          std::move(name),
           std::move(description), {{{std::move(shape)}}, {viewDeg, std::nullopt}},
@@ -19,6 +19,8 @@ Preset degenerate(std::string id, std::string name, std::string description, Bez
 }
 
 BezierChain bezier(std::vector<Vec2> points) { return BezierChain(Bezier{std::move(points)}); }
+
+Curve unitCircle() { return *FormulaCurve::make(FamilyCurve{Family::Id::Circle, {1.0}}).curve; }
 
 }  // namespace
 
@@ -75,6 +77,13 @@ std::vector<Preset> degeneratePresets() {
                  "No inflection. A flat point and an apparent minimum with lambda = 0 at t = 1/2; "
                  "valleys at x = -+(1/56)^(1/6) = 0.511, apparent ridges at x = -+(1/32)^(1/6) = "
                  "0.561."),
+      degenerate("constant-curvature", "Constant curvature",
+                 "A true circle, given by its formula: k' is 0 everywhere, so every point would be "
+                 "an extremum.",
+                 unitCircle(), 90.0,
+                 "Two silhouettes, left and right, and two apparent minima with lambda = 1, facing "
+                 "the viewer and away. No ridge and no apparent ridge. The curve is listed as of "
+                 "constant curvature."),
       degenerate("double-root", "Double root of k'",
                  "A curve that bends ever less from left to right; at the middle the loss stops, "
                  "k' = k'' = 0, and goes on.",

@@ -143,6 +143,18 @@ TEST(DegeneratePresets, Undulation) {
   EXPECT_EQ(found.marks[3].lambda, 0.0);
 }
 
+TEST(DegeneratePresets, ConstantCurvature) {
+  const FeatureSet found = expectAnswer("constant-curvature",
+                                        {{Kind::Silhouette, {1, 0}},
+                                         {Kind::ApparentMinimum, {0, 1}},
+                                         {Kind::Silhouette, {-1, 0}},
+                                         {Kind::ApparentMinimum, {0, -1}}},
+                                        {{What::ConstantCurvature, 0, 0, 1}});
+  // lambda = 1 / (R n.w)^2
+  EXPECT_NEAR(*found.marks[1].lambda, 1.0, 1e-14);
+  EXPECT_NEAR(*found.marks[3].lambda, 1.0, 1e-14);
+}
+
 TEST(DegeneratePresets, DoubleRoot) {
   const FeatureSet found =
       expectAnswer("double-root",

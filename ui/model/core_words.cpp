@@ -167,6 +167,14 @@ namespace {
         "Core",
         "No inflection. A flat point and an apparent minimum with lambda = 0 at t = 1/2; valleys "
         "at x = -+(1/56)^(1/6) = 0.511, apparent ridges at x = -+(1/32)^(1/6) = 0.561."),
+    QT_TRANSLATE_NOOP("Core", "Constant curvature"),
+    QT_TRANSLATE_NOOP("Core",
+                      "A true circle, given by its formula: k' is 0 everywhere, so every point "
+                      "would be an extremum."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Two silhouettes, left and right, and two apparent minima with lambda = 1, "
+                      "facing the viewer and away. No ridge and no apparent ridge. The curve is "
+                      "listed as of constant curvature."),
     QT_TRANSLATE_NOOP("Core", "Double root of k'"),
     QT_TRANSLATE_NOOP("Core",
                       "A curve that bends ever less from left to right; at the middle the loss "

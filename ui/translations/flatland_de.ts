@@ -498,6 +498,18 @@
         <source>One ridge and one apparent ridge, both at the joint, with the larger of its two curvatures: lambda = 16.</source>
         <translation>Ein Grat und ein scheinbarer Grat, beide an der Nahtstelle, mit der größeren der beiden Krümmungen: Lambda = 16.</translation>
     </message>
+    <message>
+        <source>Constant curvature</source>
+        <translation>Konstante Krümmung</translation>
+    </message>
+    <message>
+        <source>A true circle, given by its formula: k&apos; is 0 everywhere, so every point would be an extremum.</source>
+        <translation>Ein echter Kreis, durch seine Formel gegeben: k&apos; ist überall 0, so dass jeder Punkt ein Extremum wäre.</translation>
+    </message>
+    <message>
+        <source>Two silhouettes, left and right, and two apparent minima with lambda = 1, facing the viewer and away. No ridge and no apparent ridge. The curve is listed as of constant curvature.</source>
+        <translation>Zwei Silhouetten, links und rechts, und zwei scheinbare Minima mit lambda = 1, dem Betrachter zu- und abgewandt. Kein Grat und kein scheinbarer Grat. Die Kurve ist als von konstanter Krümmung aufgeführt.</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
