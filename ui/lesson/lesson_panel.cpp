@@ -40,6 +40,8 @@ LessonPanel::LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QW
   misses_ = new QLabel(this);
   misses_->setObjectName("lesson.misses");
   misses_->setAccessibleName(tr("How far the printed roots miss"));
+  // Until there is a line to show; showMisses() puts the roots one by one here.
+  misses_->setToolTip(misses_->accessibleName());
   misses_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   // Too long for a narrow strip, it is cut there; the tip has it all.
   misses_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
