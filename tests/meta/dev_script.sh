@@ -43,7 +43,7 @@ echo \"ctest \$*\" >>'$calls'; echo '100% tests passed'"
   printf '#!/bin/bash\necho "flatland $*" >>"%s"; echo output of the program\n' "$calls" >"$home/build/release/bin/flatland"
   chmod +x "$home/build/release/bin/flatland"
 }
-all='cmake g++ ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libtinygltf-dev
+all='cmake g++ ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libtinygltf-dev libhwy-dev libembree-dev
  qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
  libqcustomplot-dev fonts-dejavu-core libgtest-dev libbenchmark-dev libboost-dev xvfb xauth fonts-urw-base35'
 all="${all//$'\n'/}"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+
+#include "core3d/diff/surface_fields.h"
+#include "core3d/mesh/triangle_mesh.h"
+
+namespace flatland {
+
+/// How normals, K and C are estimated from the vertices around.
+enum class FieldEstimator : std::uint8_t {
+  JetFit,  ///< local polynomial of degree 3 or 4 (cazals2005), on a neighbourhood chosen per vertex
+  OneRing,  ///< least squares over the triangles of the one-ring (rusinkiewicz2004): fast, rough
+};
+
+struct FieldOptions {
+  FieldEstimator estimator = FieldEstimator::JetFit;
+  /// How much larger than needed the neighbourhoods are, >= 1: smooths noise, and features of that
+  /// width with it. Acts on JetFit; on OneRing as smoothing passes over K and C.
+  double scale = 1.0;
+  int threads = 0;  ///< 0: all cores. The result does not depend on it
+  std::function<void(double)> progress =
+      {};                     ///< called with the share done, in [0, 1], by any thread
+  std::stop_token stop = {};  ///< asked often; a stopped estimate returns early
+};
+
+/// The fields of a mesh; empty (no vertices) if stopped.
+SurfaceFields estimateFields(const TriangleMesh& mesh, const FieldOptions& options = {});
+
+}  // namespace flatland

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "core3d/lines/surface_view.h"
+#include "core3d/mesh/triangle_mesh.h"
+
+namespace flatland {
+
+/// From where a drawing of a mesh is made, before it is known how large the mesh is.
+struct Camera {
+  Eigen::Vector3d towards =
+      Eigen::Vector3d::UnitZ();  ///< from the mesh to the viewer, any length > 0
+  Eigen::Vector3d up =
+      Eigen::Vector3d::UnitY();  ///< appears upward; if along `towards`, another axis is taken
+  std::optional<double>
+      perspectiveDeg;  ///< vertical field of view in (0, 180); empty: orthographic
+  double zoom = 1.0;   ///< > 1: larger than fitted
+  double width = 800.0, height = 600.0;  ///< px, > 0
+  double margin = 20.0;                  ///< px kept free when fitting
+};
+
+/// A camera set before a mesh: from points of the mesh to px of the picture (x right, y down).
+struct Projection {
+  Eigen::Matrix3d
+      axes;  ///< rows: right, up on the picture, towards the viewer; orthonormal, right-handed
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< seen in the middle of the picture
+  double pxPerUnit = 1.0;                            ///< at the centre
+  std::optional<double> distance;    ///< of the viewer from the centre; empty: orthographic
+  double width = 0.0, height = 0.0;  ///< px
+
+  SurfaceView view() const;
+  /// nullopt at or behind the viewer.
+  std::optional<Eigen::Vector2d> toScreen(const Eigen::Vector3d& p) const;
+};
+
+/// The mesh fitted into the picture. With `fitBall` the ball around the mesh is fitted and not its
+/// outline, so that size and place stay the same when the mesh is turned.
+Projection projectionOf(const Camera& camera, const TriangleMesh& mesh, bool fitBall = false);
+
+}  // namespace flatland

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "core3d/draw/drawing.h"
+
+namespace flatland {
+
+/// Draws one mesh from many views: finds lines, chains and filters strokes, removes what is hidden.
+/// Keeps the structure for casting rays, which is built at the first drawing, and a LineFinder.
+/// `mesh` and `fields` must outlive it and stay unchanged. Not for several threads at once.
+class Draughtsman {
+ public:
+  Draughtsman(const TriangleMesh& mesh, const SurfaceFields& fields);
+  ~Draughtsman();
+  Draughtsman(Draughtsman&&) noexcept;
+  Draughtsman& operator=(Draughtsman&&) noexcept;
+
+  Drawing draw(const Projection& projection, const LineOptions& lines,
+               const StrokeOptions& strokes);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace flatland

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core3d/draw/camera.h"
+#include "core3d/lines/feature_lines.h"
+#include "core3d/lines/line_finder.h"
+
+namespace flatland {
+
+/// A stroke of a line drawing: a polyline of one family, as a whole visible or hidden.
+struct Polyline {
+  LineFamily family;
+  std::uint32_t level = 0;  ///< of isophotes and topographic lines
+  bool visible = true;
+  bool closed = false;  ///< the last point is joined to the first, which is not repeated
+  std::vector<Eigen::Vector3f> points;  ///< coordinates of the mesh (TriangleMesh), 2 or more
+  std::vector<Eigen::Vector2d> screen;  ///< px, of each point
+  std::vector<float> strength;          ///< dimensionless, of each point
+};
+
+/// How segments become strokes.
+struct StrokeOptions {
+  bool hidden = false;  ///< hidden strokes are kept (visible = false), else removed
+  /// A stroke that reaches the family's threshold somewhere is followed down to this share of it.
+  double hysteresis = 0.6;
+  double minLengthPx = 6.0;  ///< strokes shorter on the screen are dropped, except contours' loops
+  double tolerancePx = 0.2;  ///< largest deviation on the screen from simplifying
+  double smallestGapPx =
+      3.0;  ///< visibility that changes for less than that along a stroke is smoothed over
+  /// Share of the picture's pixels to be covered with ink at `inkWidthPx`: one factor on the
+  /// thresholds of all families with a threshold is solved for. Empty: thresholds as given.
+  std::optional<double> ink;
+  double inkWidthPx = 1.5;
+  std::stop_token stop = {};
+};
+
+struct DrawingStats {
+  std::size_t segments = 0;  ///< before filtering
+  double vertexMs = 0.0, segmentMs = 0.0, chainMs = 0.0, visibilityMs = 0.0, strokeMs = 0.0;
+  double ink = 0.0;              ///< share of the pixels covered by the visible strokes
+  double thresholdFactor = 1.0;  ///< found for StrokeOptions::ink
+};
+
+struct Drawing {
+  std::vector<Polyline> polylines;  ///< by family, then by place of the first point
+  Projection projection;
+  DrawingStats stats;
+};
+
+}  // namespace flatland

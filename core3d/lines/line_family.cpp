@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "core3d/lines/line_family.h"
+
+namespace flatland {
+namespace {
+
+constexpr std::array<std::string_view, kLineFamilyCount> kNames = {
+    "exterior-silhouette",
+    "contours",
+    "suggestive-contours",
+    "suggestive-highlights",
+    "apparent-ridges",
+    "principal-highlights",
+    "isophotes",
+    "ridges",
+    "valleys",
+    "parabolic",
+    "zero-mean-curvature",
+    "creases",
+    "boundaries",
+    "self-intersections",
+    "topographic",
+};
+
+}  // namespace
+
+std::array<LineFamily, kLineFamilyCount> allLineFamilies() {
+  std::array<LineFamily, kLineFamilyCount> all{};
+  for (std::size_t i = 0; i < kLineFamilyCount; ++i) all[i] = static_cast<LineFamily>(i);
+  return all;
+}
+
+std::string_view nameOf(LineFamily family) { return kNames[static_cast<std::size_t>(family)]; }
+
+std::optional<LineFamily> lineFamilyNamed(std::string_view name) {
+  for (const LineFamily family : allLineFamilies()) {
+    if (nameOf(family) == name) return family;
+  }
+  return std::nullopt;
+}
+
+bool dependsOnView(LineFamily family) { return family <= LineFamily::Isophotes; }
+
+}  // namespace flatland
