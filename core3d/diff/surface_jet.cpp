@@ -57,6 +57,17 @@ SurfacePoint surfacePointOf(const SurfaceJet& jet) {
   return point;
 }
 
+SurfacePoint turnedRound(const SurfacePoint& point) {
+  SurfacePoint turned = point;
+  turned.n = -point.n;
+  turned.frame.col(1) = -point.frame.col(1);
+  // The sign of n, times one for every index 2.
+  turned.K.diagonal() = -point.K.diagonal();
+  const auto [c111, c112, c122, c222] = point.C.coefficients;
+  turned.C.coefficients = {-c111, c112, -c122, c222};
+  return turned;
+}
+
 SeenPoint<2> seenFrom(const SurfacePoint& point, const Eigen::Vector3d& w,
                       std::optional<double> distance) {
   return {point.K, point.C, point.frame.transpose() * w, point.n.dot(w), distance};

@@ -31,6 +31,9 @@ struct SurfacePoint {
 /// v are not parallel.
 SurfacePoint surfacePointOf(const SurfaceJet& jet);
 
+/// The same point with its normal to the other side: n, K and C change sign, e2 too.
+SurfacePoint turnedRound(const SurfacePoint& point);
+
 /// The point as a viewer sees it who is far away along the unit vector w, or at the distance.
 SeenPoint<2> seenFrom(const SurfacePoint& point, const Eigen::Vector3d& w,
                       std::optional<double> distance = std::nullopt);
