@@ -11,7 +11,8 @@ qt='^[<"](Q[A-Z]|Qt[A-Z0-9]|q[a-z0-9_]+\.h)'          # <QWidget>, <QtTest/QTest
 qcustomplot='^[<"](.*/)?qcustomplot\.h[>"]$'
 own='^"(flatland|core3d|ui|tests)/.+"$'
 
-# The headers that lead to nlohmann_json: flatland/io's own, not installed, for its sources alone.
+# The headers that lead to nlohmann_json: flatland/io's own, not installed, for its sources and the
+# JSON files of core3d/io alone.
 json_headers='flatland/io/(json_text|json_node|curve_json)\.h'
 
 # allowed FILE INCLUDE: succeeds if the file may include it; else prints the rule that forbids it.
@@ -31,7 +32,8 @@ allowed() {
     [[ $include =~ $own ]] || { echo "own headers are included by their path from the top"; return 1; }
   fi
   if [[ $include =~ ^\"$json_headers\"$ ]]; then
-    [[ $file == flatland/io/*.cpp || $file =~ ^$json_headers$ ]] || { echo "this header is for the sources of flatland/io"; return 1; }
+    [[ $file == flatland/io/*.cpp || $file == core3d/io/*_json.cpp || $file =~ ^$json_headers$ ]] ||
+      { echo "this header is for the sources of flatland/io and the JSON readers of core3d/io"; return 1; }
   fi
   if [[ $file =~ ^$json_headers$ && $include == '<nlohmann/json_fwd.hpp>' ]]; then return 0; fi
   case "$file" in
@@ -46,6 +48,9 @@ allowed() {
       [[ $include == '"core3d/'* || $include == '"flatland/'* || $include == '<Eigen/'* ||
         $include == '<nlohmann/'* || $include == '<tiny_gltf.h>' || $include =~ $std ]] ||
         { echo "the glTF reader may use core3d, flatland, Eigen, std, nlohmann_json and TinyGLTF"; return 1; } ;;
+    core3d/io/*_json.cpp)
+      [[ $include == '"core3d/'* || $include == '"flatland/'* || $include == '<nlohmann/'* || $include =~ $std ]] ||
+        { echo "the JSON readers may use core3d, flatland, std and nlohmann_json"; return 1; } ;;
     core3d/*)
       [[ $include == '"core3d/'* || $include == '"flatland/'* || $include == '<Eigen/'* ||
         $include =~ $std ]] ||

@@ -42,6 +42,7 @@ struct Stroke {
   double width = 1.0;             ///< px
   std::vector<double> dash = {};  ///< on, off, ... in px; empty: solid
   bool roundCaps = false;
+  bool roundJoins = false;  ///< else mitred
 };
 
 struct PathShape {
@@ -82,9 +83,10 @@ Figure magnified(Figure figure, double factor);
 /// What a file says about itself, so that it can be made again.
 struct FigureSource {
   std::string title;
-  std::string program;  ///< name and version
-  std::string command;  ///< the command line, may be empty
-  std::string sceneJson;
+  std::string program;              ///< name and version
+  std::string command;              ///< the command line, may be empty
+  std::string sceneJson;            ///< what was drawn, may be empty
+  std::string sceneName = "scene";  ///< what that is called in the file, a word
 };
 
 /// How far the text's baseline lies below its position, px: half the height of lower-case letters

@@ -22,7 +22,7 @@ QPen penOf(const Stroke& stroke) {
   QPen pen(toQColor(stroke.colour));
   pen.setWidthF(stroke.width);
   pen.setCapStyle(stroke.roundCaps ? Qt::RoundCap : Qt::FlatCap);
-  pen.setJoinStyle(Qt::MiterJoin);
+  pen.setJoinStyle(stroke.roundJoins ? Qt::RoundJoin : Qt::MiterJoin);
   if (!stroke.dash.empty()) {
     QList<qreal> pattern;  // in multiples of the width
     for (const double length : stroke.dash) pattern.append(length / stroke.width);
@@ -65,6 +65,7 @@ QColor toQColor(Rgb colour) { return {colour.r, colour.g, colour.b}; }
 
 QPainterPath toPainterPath(const PathData& path) {
   QPainterPath result;
+  result.setFillRule(Qt::WindingFill);  // as SVG and TikZ have it
   std::size_t next = 0;
   const auto point = [&] { return toQPoint(path.points[next++]); };
   for (const PathData::Verb verb : path.verbs) {
@@ -116,7 +117,8 @@ std::string figureToPdf(const Figure& figure, const FigureSource& source) {
     writer.setPageSize(QPageSize(QSizeF(figure.width, figure.height) * kPointsPerPx,
                                  QPageSize::Point, {}, QPageSize::ExactMatch));
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
-    writer.addFileAttachment("scene.json", bytesOf(source.sceneJson), "application/json");
+    writer.addFileAttachment(QString::fromStdString(source.sceneName + ".json"),
+                             bytesOf(source.sceneJson), "application/json");
     QPainter painter(&writer);
     painter.scale(kDotsPerInch / 96.0, kDotsPerInch / 96.0);
     paintFigure(painter, figure);
@@ -145,7 +147,10 @@ std::string figureToPng(const Figure& figure, const FigureSource& source, double
   image.setDotsPerMeterY(image.dotsPerMeterX());
   image.setText("Title", QString::fromStdString(source.title));
   image.setText("Software", QString::fromStdString(source.program));
-  image.setText("Scene", QString::fromStdString(source.sceneJson));
+  QString key = QString::fromStdString(source.sceneName);
+  key[0] = key[0].toUpper();
+  image.setText(key, QString::fromStdString(source.sceneJson));
+  image.setText("Command", QString::fromStdString(source.command));
   {
     QPainter painter(&image);
     painter.scale(scale, scale);

@@ -69,6 +69,7 @@ std::string strokeText(const Stroke& stroke) {
     text += attribute("stroke-dasharray", dash);
   }
   if (stroke.roundCaps) text += attribute("stroke-linecap", "round");
+  if (stroke.roundJoins) text += attribute("stroke-linejoin", "round");
   return text;
 }
 
@@ -101,8 +102,8 @@ std::string figureToSvg(const Figure& figure, const FigureSource& source) {
          attribute("font-family", "Helvetica, Arial, 'DejaVu Sans', sans-serif") + ">\n";
   svg += "<title>" + escaped(source.title) + "</title>\n";
   svg += "<metadata>\n<source xmlns=\"urn:flatland:source\">\n<program>" + escaped(source.program) +
-         "</program>\n<command>" + escaped(source.command) + "</command>\n<scene>" +
-         escaped(source.sceneJson) + "</scene>\n</source>\n</metadata>\n";
+         "</program>\n<command>" + escaped(source.command) + "</command>\n<" + source.sceneName +
+         ">" + escaped(source.sceneJson) + "</" + source.sceneName + ">\n</source>\n</metadata>\n";
   if (figure.background) {
     svg += "<rect id=\"background\"" + attribute("width", width) + attribute("height", height) +
            attribute("fill", toHex(*figure.background)) + "/>\n";

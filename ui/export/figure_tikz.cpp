@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <tuple>
@@ -151,6 +152,11 @@ std::string commented(const std::string& text) {
   return comment;
 }
 
+std::string capitalised(std::string word) {
+  word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
+  return word;
+}
+
 std::string pairText(const Vec2& p) {
   return "(" + decimalText(p.x()) + "," + decimalText(p.y()) + ")";
 }
@@ -198,6 +204,7 @@ std::string command(const PathShape& shape, const ColourNames& colours) {
     }
     if (!dash.empty()) add("dash pattern=" + dash.substr(1));
     if (shape.stroke->roundCaps) add("line cap=round");
+    if (shape.stroke->roundJoins) add("line join=round");
   }
   return "\\path[" + options + "]" + pathText(shape.path) + ";";
 }
@@ -233,7 +240,7 @@ std::string figureToTikz(const Figure& figure, const FigureSource& source) {
                      "% Compiles alone; or \\input it after "
                      "\\usepackage{standalone,tikz}.\n";
   tikz += "% Made by:\n" + commented(source.program) + "% Command:\n" + commented(source.command) +
-          "% Scene:\n" + commented(source.sceneJson);
+          "% " + capitalised(source.sceneName) + ":\n" + commented(source.sceneJson);
   tikz += "\\documentclass[tikz]{standalone}\n\\begin{document}\n";
   tikz += "\\begin{tikzpicture}[x=" + bp(1.0) + ", y=-" + bp(1.0) + "]\n";
   tikz += "% A colour that is defined already keeps its definition.\n";
