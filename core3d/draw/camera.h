@@ -17,7 +17,7 @@ struct Camera {
       Eigen::Vector3d::UnitY();  ///< appears upward; if along `towards`, another axis is taken
   std::optional<double>
       perspectiveDeg;  ///< vertical field of view in (0, 180); empty: orthographic
-  double zoom = 1.0;   ///< > 1: larger than fitted
+  double zoom = 1.0;   ///< > 1: larger than fitted, as by a longer lens from the same place
   double width = 800.0, height = 600.0;  ///< px, > 0
   double margin = 20.0;                  ///< px kept free when fitting
 };
@@ -36,8 +36,11 @@ struct Projection {
   std::optional<Eigen::Vector2d> toScreen(const Eigen::Vector3d& p) const;
 };
 
-/// The mesh fitted into the picture. With `fitBall` the ball around the mesh is fitted and not its
-/// outline, so that size and place stay the same when the mesh is turned.
+/// The mesh fitted into the picture less its margin (a margin that leaves nothing is halved until
+/// it leaves a quarter). With `fitBall` the ball around the middle of the mesh is fitted and not
+/// its outline, so that size and place stay the same when the mesh is turned. The outline is fitted
+/// exactly, in perspective too: the viewer stands as near as the field of view allows, and two
+/// sides of the outline touch the margin. One pass over the vertices.
 Projection projectionOf(const Camera& camera, const TriangleMesh& mesh, bool fitBall = false);
 
 }  // namespace flatland

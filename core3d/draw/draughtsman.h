@@ -17,6 +17,7 @@ class Draughtsman {
   Draughtsman(Draughtsman&&) noexcept;
   Draughtsman& operator=(Draughtsman&&) noexcept;
 
+  /// Without polylines if stopped.
   Drawing draw(const Projection& projection, const LineOptions& lines,
                const StrokeOptions& strokes);
 

@@ -37,7 +37,7 @@ struct StrokeOptions {
       3.0;  ///< visibility that changes for less than that along a stroke is smoothed over
   /// Share of the picture's pixels to be covered with ink at `inkWidthPx`: one factor on the
   /// thresholds of all families with a threshold is solved for. Empty: thresholds as given.
-  std::optional<double> ink;
+  std::optional<double> ink = {};
   double inkWidthPx = 1.5;
   std::stop_token stop = {};
 };
@@ -45,12 +45,21 @@ struct StrokeOptions {
 struct DrawingStats {
   std::size_t segments = 0;  ///< before filtering
   double vertexMs = 0.0, segmentMs = 0.0, chainMs = 0.0, visibilityMs = 0.0, strokeMs = 0.0;
+  std::size_t rays = 0;          ///< cast for visibility
   double ink = 0.0;              ///< share of the pixels covered by the visible strokes
   double thresholdFactor = 1.0;  ///< found for StrokeOptions::ink
+  /// False if no factor comes within 1 % of StrokeOptions::ink: the lines that have no threshold
+  /// cover more, all lines together cover less, or single strokes are too long to get closer.
+  bool inkReached = true;
+  /// Part of the visible length that lies in strokes longer than 2 % of the picture's diagonal;
+  /// the rest is crumbs. 1 for an empty drawing.
+  double share = 1.0;
 };
 
 struct Drawing {
-  std::vector<Polyline> polylines;  ///< by family, then by place of the first point
+  /// By family, then by level, then by place on the mesh. If exterior silhouettes are on, what is
+  /// one is not repeated among contours and boundaries.
+  std::vector<Polyline> polylines;
   Projection projection;
   DrawingStats stats;
 };

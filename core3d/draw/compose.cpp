@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "core3d/draw/compose.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "core3d/draw/chains.h"
+#include "core3d/draw/ink.h"
+#include "core3d/draw/strokes.h"
+
+namespace flatland {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// How far off the surface rays start: a dense mesh's roughness is smaller than half a pixel. At
+// least some roundings of float, at most what is small against the mesh.
+constexpr double kOffsetPx = 0.5;
+constexpr double kLeastOffset = 1e-5, kLargestOffset = 0.02;
+// Beside an outline there is background at this distance.
+constexpr double kBesidePx = 1.5;
+// A stroke longer than this share of the picture's diagonal is no crumb.
+constexpr double kLongShare = 0.02;
+// Ink that is closer to what was asked for counts as reached.
+constexpr double kInkTolerance = 0.01;
+
+class Clock {
+ public:
+  double ms() const {
+    const std::chrono::duration<double, std::milli> d = std::chrono::steady_clock::now() - start_;
+    return d.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Lines whose place on the mesh is combinatorial, not interpolated from quantities of vertices.
+bool followsTheMesh(LineFamily family) {
+  return family == LineFamily::Creases || family == LineFamily::Boundaries ||
+         family == LineFamily::SelfIntersections || family == LineFamily::Topographic;
+}
+
+bool mayBeOutline(LineFamily family) {
+  return family == LineFamily::OccludingContours || family == LineFamily::Boundaries;
+}
+
+std::size_t indexOf(LineFamily family) { return static_cast<std::size_t>(family); }
+
+// What is seen at the places of one chain.
+class Looker {
+ public:
+  Looker(const Sight& sight, const Projection& projection, bool outlines)
+      : sight_(sight), projection_(projection), view_(projection.view()), outlines_(outlines) {}
+
+  Seen look(const ScreenChain& line, const ScreenChain::Point& p) {
+    const SightPoint point{p.at, line.chain.triangles[p.piece], !followsTheMesh(line.chain.family)};
+    const double px = unitsPerPx(p.at);
+    ++rays_;
+    if (sight_.hidden(point, view_, std::clamp(kOffsetPx * px, kLeastOffset, kLargestOffset))) {
+      return Seen::Hidden;
+    }
+    if (!outlines_ || !mayBeOutline(line.chain.family)) return Seen::Visible;
+    return isOutline(line, p, point, kBesidePx * px) ? Seen::Outline : Seen::Visible;
+  }
+
+  std::size_t rays() const { return rays_; }
+
+ private:
+  double unitsPerPx(const Vector3d& at) const {
+    double scale = projection_.pxPerUnit;
+    if (projection_.distance) {
+      const double depth =
+          *projection_.distance - projection_.axes.row(2).dot(at - projection_.centre);
+      scale *= *projection_.distance / std::max(depth, 1e-12);
+    }
+    return 1.0 / scale;
+  }
+
+  bool emptyBeside(const SightPoint& point, const Vector3d& step) {
+    ++rays_;
+    return sight_.empty(point, point.at + step, view_);
+  }
+
+  // A contour has the surface on one side, so background can only be where its normal points; a
+  // boundary may have it on either side.
+  bool isOutline(const ScreenChain& line, const ScreenChain::Point& p, const SightPoint& point,
+                 double distance) {
+    const Vector3d w = view_.towardsViewer(p.at);
+    if (line.chain.family == LineFamily::OccludingContours) {
+      const Vector3d n = sight_.normalAt(point);
+      return emptyBeside(point, distance * (n - n.dot(w) * w).stableNormalized());
+    }
+    const auto& points = line.chain.points;
+    const Vector3d along = (points[(p.piece + 1) % points.size()] - points[p.piece]).cast<double>();
+    const Vector3d across = distance * along.cross(w).stableNormalized();
+    return emptyBeside(point, across) || emptyBeside(point, -across);
+  }
+
+  const Sight& sight_;
+  const Projection& projection_;
+  SurfaceView view_;
+  bool outlines_;
+  std::size_t rays_ = 0;
+};
+
+// Strokes of all chains, for a factor on the thresholds.
+class Strokes {
+ public:
+  Strokes(const std::vector<SeenChain>& chains, const LineOptions& lines,
+          const StrokeOptions& options)
+      : chains_(chains), lines_(lines), options_(options) {}
+
+  double threshold(LineFamily family) const {
+    return lines_.unfiltered ? 0.0 : lines_.threshold[indexOf(family)];
+  }
+
+  std::vector<StrokePart> parts(double factor) const {
+    std::vector<StrokePart> all;
+    for (std::size_t i = 0; i < chains_.size(); ++i) {
+      const LineFamily family = chains_[i].line.chain.family;
+      const StrokeFilter filter{factor * threshold(family),
+                                lines_.unfiltered ? 0.0 : options_.minLengthPx};
+      for (const StrokePart& part : strokeParts(chains_[i], i, filter, options_.hysteresis)) {
+        if (isDrawn(family, part.seen)) all.push_back(part);
+      }
+    }
+    return all;
+  }
+
+  // The family that a part is drawn as.
+  static LineFamily familyOf(LineFamily family, Seen seen) {
+    return seen == Seen::Outline ? LineFamily::ExteriorSilhouette : family;
+  }
+
+ private:
+  bool isDrawn(LineFamily family, Seen seen) const {
+    return lines_[familyOf(family, seen)] && (seen != Seen::Hidden || options_.hidden);
+  }
+
+  const std::vector<SeenChain>& chains_;
+  const LineOptions& lines_;
+  const StrokeOptions& options_;
+};
+
+class InkSolver {
+ public:
+  InkSolver(const std::vector<SeenChain>& chains, const Strokes& strokes,
+            const Projection& projection, const StrokeOptions& options)
+      : chains_(chains),
+        strokes_(strokes),
+        raster_(projection.width, projection.height),
+        options_(options) {}
+
+  // The factor whose ink is nearest to `asked`. Ink never grows with the factor, so the interval
+  // that holds the answer is halved.
+  double solve(double asked) {
+    const double most = factorWithoutThresholdedLines();
+    if (most == 0.0) return 1.0;  // nothing has a threshold
+    const double least = most * kSmallestFactor;
+    if (inkOf(0.0) <= asked) return 0.0;
+    if (inkOf(most) >= asked) return most;
+    double low = least, high = most, best = most;
+    double miss = std::numeric_limits<double>::infinity();
+    const auto consider = [&](double factor) {
+      const double ink = inkOf(factor);
+      if (std::abs(ink - asked) < miss) {
+        miss = std::abs(ink - asked);
+        best = factor;
+      }
+      return ink;
+    };
+    consider(0.0);
+    consider(most);
+    while (high / low > 1.0 + kFactorPrecision && miss > kCloseEnough * asked &&
+           !options_.stop.stop_requested()) {
+      const double middle = std::sqrt(low * high);
+      (consider(middle) > asked ? low : high) = middle;
+    }
+    return best;
+  }
+
+ private:
+  // Strengths span a few powers of ten; below this share of the strongest all is noise.
+  static constexpr double kSmallestFactor = 1e-9;
+  static constexpr double kFactorPrecision = 1e-7;
+  static constexpr double kCloseEnough = 1e-3;  // a tenth of kInkTolerance
+
+  double factorWithoutThresholdedLines() const {
+    double most = 0.0;
+    for (const SeenChain& chain : chains_) {
+      const double threshold = strokes_.threshold(chain.line.chain.family);
+      if (!(threshold > 0.0)) continue;
+      const auto& s = chain.line.chain.strength;
+      most = std::max(most, static_cast<double>(*std::max_element(s.begin(), s.end())) / threshold);
+    }
+    return most * (1.0 + kFactorPrecision);
+  }
+
+  double inkOf(double factor) {
+    raster_.clear();
+    for (const StrokePart& part : strokes_.parts(factor)) {
+      if (part.seen == Seen::Hidden) continue;
+      raster_.add(screenOf(chains_[part.chain].line, part), part.closed, options_.inkWidthPx);
+    }
+    return raster_.share();
+  }
+
+  const std::vector<SeenChain>& chains_;
+  const Strokes& strokes_;
+  InkRaster raster_;
+  const StrokeOptions& options_;
+};
+
+double lengthOf(const Polyline& line) {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < line.screen.size(); ++i) {
+    length += (line.screen[i + 1] - line.screen[i]).norm();
+  }
+  if (line.closed) length += (line.screen.front() - line.screen.back()).norm();
+  return length;
+}
+
+void measure(Drawing& drawing, const StrokeOptions& options) {
+  const Projection& projection = drawing.projection;
+  InkRaster raster(projection.width, projection.height);
+  const double longPx = kLongShare * std::hypot(projection.width, projection.height);
+  double total = 0.0, inLong = 0.0;
+  for (const Polyline& line : drawing.polylines) {
+    if (!line.visible) continue;
+    raster.add(line.screen, line.closed, options.inkWidthPx);
+    const double length = lengthOf(line);
+    total += length;
+    if (length > longPx) inLong += length;
+  }
+  drawing.stats.ink = raster.share();
+  drawing.stats.share = total > 0.0 ? inLong / total : 1.0;
+  drawing.stats.inkReached =
+      !options.ink || std::abs(raster.share() - *options.ink) <= kInkTolerance * *options.ink;
+}
+
+// Every chain is looked at by one thread, whichever is free.
+std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Projection& projection,
+                   const LineOptions& lines, const StrokeOptions& strokes) {
+  std::atomic<std::size_t> next = 0, rays = 0;
+  const auto work = [&] {
+    const FlushDenormals flush;
+    Looker looker(sight, projection, lines[LineFamily::ExteriorSilhouette]);
+    for (std::size_t i = next++; i < chains.size(); i = next++) {
+      if (strokes.stop.stop_requested()) break;
+      const ScreenChain& line = chains[i].line;
+      chains[i].stretches =
+          stretchesOf(line, strokes.smallestGapPx,
+                      [&](const ScreenChain::Point& p) { return looker.look(line, p); });
+    }
+    rays += looker.rays();
+  };
+  std::vector<std::jthread> others;
+  for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) others.emplace_back(work);
+  work();
+  others.clear();
+  return rays;
+}
+
+}  // namespace
+
+LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes) {
+  LineOptions asked = lines;
+  const double factor = strokes.ink ? 0.0 : strokes.hysteresis;
+  for (double& threshold : asked.threshold) threshold *= factor;
+  if (lines[LineFamily::ExteriorSilhouette]) {
+    asked[LineFamily::OccludingContours] = true;
+    asked[LineFamily::Boundaries] = true;
+  }
+  return asked;
+}
+
+Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Projection& projection,
+                       const LineOptions& lines, const StrokeOptions& strokes) {
+  Drawing drawing;
+  drawing.projection = projection;
+  const auto stopped = [&strokes] { return strokes.stop.stop_requested(); };
+
+  const Clock chainClock;
+  std::vector<SeenChain> chains;
+  for (const LineFamily family : allLineFamilies()) {
+    drawing.stats.segments += found.of(family).size();
+    const double threshold =
+        lines.unfiltered || strokes.ink ? 0.0 : lines.threshold[indexOf(family)];
+    for (LineChain& chain : chainSegments(family, found.of(family))) {
+      for (ScreenChain& line : onScreen(std::move(chain), projection)) {
+        // What cannot become a stroke need not be looked at.
+        if (strongStretches(line, threshold, strokes.hysteresis).empty()) continue;
+        chains.push_back({std::move(line), {}});
+      }
+      if (stopped()) return drawing;
+    }
+  }
+  drawing.stats.chainMs = chainClock.ms();
+
+  const Clock sightClock;
+  drawing.stats.rays = lookAt(chains, sight, projection, lines, strokes);
+  drawing.stats.visibilityMs = sightClock.ms();
+  if (stopped()) return drawing;
+
+  const Clock strokeClock;
+  const Strokes all(chains, lines, strokes);
+  if (strokes.ink) {
+    drawing.stats.thresholdFactor = InkSolver(chains, all, projection, strokes).solve(*strokes.ink);
+  }
+  if (stopped()) return drawing;
+  for (const StrokePart& part : all.parts(drawing.stats.thresholdFactor)) {
+    Polyline line = polylineOf(chains[part.chain], part, projection, strokes.tolerancePx);
+    if (line.points.size() < 2) continue;
+    line.family = Strokes::familyOf(line.family, part.seen);
+    drawing.polylines.push_back(std::move(line));
+  }
+  std::stable_sort(drawing.polylines.begin(), drawing.polylines.end(),
+                   [](const Polyline& a, const Polyline& b) { return a.family < b.family; });
+  measure(drawing, strokes);
+  drawing.stats.strokeMs = strokeClock.ms();
+  return drawing;
+}
+
+}  // namespace flatland

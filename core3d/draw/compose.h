@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core3d/draw/drawing.h"
+#include "core3d/draw/sight.h"
+
+namespace flatland {
+
+/// What a LineFinder has to be asked for so that composeDrawing can make a drawing with `lines` and
+/// `strokes`: lines down to where hysteresis follows them, all of them if ink is to be met, and the
+/// families that exterior silhouettes are picked from.
+LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes);
+
+/// Makes strokes from the lines that were found: chains them, asks what is seen of them, filters,
+/// solves for ink, simplifies. `lines` are the options of the drawing, not linesToFind of them.
+/// With LineOptions::unfiltered strokes are neither filtered by strength nor by length.
+///
+/// The result does not depend on the order of the segments nor on the number of threads (all cores
+/// are used for visibility). Fills all stats but those of finding. No polylines if stopped.
+Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Projection& projection,
+                       const LineOptions& lines, const StrokeOptions& strokes);
+
+}  // namespace flatland

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "core3d/draw/sight.h"
+
+#include <embree3/rtcore.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+namespace flatland {
+namespace {
+
+using Eigen::Vector3d;
+
+// Shares of the mesh's size (2): below a tenth of a pixel of a large picture, and far above the
+// rounding of a ray that grazes. See Sight.
+constexpr float kTouching = 2e-4f;
+constexpr float kTouchingNeighbour = 2e-3f;
+// A fold of a smooth surface bends by less than that from facet to facet, even on a coarse mesh;
+// the rim of a bore or of a box by more.
+constexpr double kFoldCosine = 0.34;
+// The smooth surface counts as facing away below this n.w: the interpolated normal of a contour
+// point is only nearly across the view.
+constexpr double kFacingAway = -0.1;
+// Far outside of every mesh, whose coordinates lie in [-1, 1].
+constexpr double kFarOutside = 8.0;
+
+struct DeviceCloser {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneCloser {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, DeviceCloser>;
+using Scene = std::unique_ptr<RTCSceneTy, SceneCloser>;
+
+Vector3d crossOf(const TriangleMesh& mesh, std::uint32_t t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  const Vector3d p = mesh.position(a).cast<double>();
+  return (mesh.position(b).cast<double>() - p).cross(mesh.position(c).cast<double>() - p);
+}
+
+bool shareVertex(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
+  for (const std::uint32_t v : mesh.triangles[s]) {
+    for (const std::uint32_t w : mesh.triangles[t]) {
+      if (v == w) return true;
+    }
+  }
+  return false;
+}
+
+bool bentLessThanAFold(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
+  const Vector3d a = crossOf(mesh, s), b = crossOf(mesh, t);
+  return a.dot(b) > kFoldCosine * a.norm() * b.norm();
+}
+
+// True if a triangle that touches both (it may be one of them) leads from one to the other without
+// being bent like an edge against either.
+bool areOneFold(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
+  for (const std::uint32_t v : mesh.triangles[t]) {
+    for (std::uint32_t i = mesh.cornerStart[v]; i < mesh.cornerStart[v + 1]; ++i) {
+      const std::uint32_t between = mesh.cornersAt[i] / 3;
+      if (shareVertex(mesh, s, between) && bentLessThanAFold(mesh, t, between) &&
+          bentLessThanAFold(mesh, between, s)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// A ray with what its filter has to know.
+struct Context {
+  RTCIntersectContext embree;
+  const TriangleMesh* mesh;
+  std::uint32_t own;
+  float touchingNeighbour;  // a hit on a neighbour does not count below this distance ...
+  float foldReach;          // ... or this one, if the neighbour belongs to the same fold
+};
+
+void ignoreOwn(const RTCFilterFunctionNArguments* arguments) {
+  const auto& context = *reinterpret_cast<const Context*>(arguments->context);
+  const auto hit = rtcGetHitFromHitN(arguments->hit, arguments->N, 0);
+  const float distance = RTCRayN_tfar(arguments->ray, arguments->N, 0);
+  const std::uint32_t t = hit.primID;
+  bool ignored = t == context.own;
+  if (!ignored && distance < context.touchingNeighbour) {
+    ignored = shareVertex(*context.mesh, t, context.own);
+  }
+  if (!ignored && distance < context.foldReach) {
+    ignored = areOneFold(*context.mesh, t, context.own);
+  }
+  if (ignored) arguments->valid[0] = 0;
+}
+
+}  // namespace
+
+struct Sight::State {
+  const TriangleMesh* mesh;
+  const SurfaceFields* fields;
+  Device device;
+  Scene scene;
+
+  // True if a counting hit lies on the ray between near and far.
+  bool hits(const Vector3d& origin, const Vector3d& direction, float near, float far,
+            Context& context) const {
+    rtcInitIntersectContext(&context.embree);
+    RTCRay ray{};
+    const Eigen::Vector3f o = origin.cast<float>(), d = direction.cast<float>();
+    ray.org_x = o.x();
+    ray.org_y = o.y();
+    ray.org_z = o.z();
+    ray.dir_x = d.x();
+    ray.dir_y = d.y();
+    ray.dir_z = d.z();
+    ray.tnear = near;
+    ray.tfar = far;
+    ray.mask = 0xffffffff;
+    rtcOccluded1(scene.get(), &context.embree, &ray);
+    return ray.tfar < 0.0f;
+  }
+};
+
+Sight::Sight(const TriangleMesh& mesh, const SurfaceFields& fields)
+    : state_(std::make_unique<State>()) {
+  state_->mesh = &mesh;
+  state_->fields = &fields;
+  state_->device.reset(rtcNewDevice(nullptr));
+  if (!state_->device) throw std::runtime_error("Embree does not start");
+  const RTCDevice device = state_->device.get();
+  state_->scene.reset(rtcNewScene(device));
+  rtcSetSceneFlags(state_->scene.get(), RTC_SCENE_FLAG_ROBUST);
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* positions = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), mesh.vertexCount()));
+  if (positions == nullptr) {
+    rtcReleaseGeometry(geometry);
+    throw std::bad_alloc();
+  }
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    positions[3 * v] = mesh.x[v];
+    positions[3 * v + 1] = mesh.y[v];
+    positions[3 * v + 2] = mesh.z[v];
+  }
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
+                             mesh.triangleCount());
+  rtcSetGeometryOccludedFilterFunction(geometry, ignoreOwn);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(state_->scene.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(state_->scene.get());
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
+}
+
+Sight::~Sight() = default;
+Sight::Sight(Sight&&) noexcept = default;
+Sight& Sight::operator=(Sight&&) noexcept = default;
+
+Vector3d Sight::normalAt(const SightPoint& point) const {
+  const TriangleMesh& mesh = *state_->mesh;
+  const SurfaceFields& fields = *state_->fields;
+  const auto& corners = mesh.triangles[point.triangle];
+  const Vector3d across = crossOf(mesh, point.triangle);
+  Vector3d normal = Vector3d::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    // The weight of a corner: the area of the triangle that the point forms with the other two.
+    const Vector3d p = mesh.position(corners[(k + 1) % 3]).cast<double>() - point.at;
+    const Vector3d q = mesh.position(corners[(k + 2) % 3]).cast<double>() - point.at;
+    const double weight = std::max(p.cross(q).dot(across), 0.0);
+    if (fields.vertexCount() != 0) normal += weight * fields.normal(corners[k]).cast<double>();
+  }
+  if (!(normal.norm() > 0.0)) normal = across;
+  return normal.stableNormalized();
+}
+
+bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offset) const {
+  const Vector3d normal = normalAt(point);
+  const double facing = normal.dot(view.towardsViewer(point.at));
+  const bool fold = point.interpolated && facing > kFacingAway;
+  // What faces away but is no fold lies on the back of a sheet: the viewer's side is the other one.
+  const bool otherSide = fold ? false : facing < 0.0;
+  const Vector3d origin = point.at + (otherSide ? -offset : offset) * normal;
+  const Vector3d direction = view.towardsViewer(origin);
+  Context context{};
+  context.mesh = state_->mesh;
+  context.own = point.triangle;
+  context.touchingNeighbour = kTouchingNeighbour;
+  context.foldReach =
+      fold ? static_cast<float>(2.0 * std::sqrt(crossOf(*state_->mesh, point.triangle).norm()))
+           : 0.0f;
+  const auto far =
+      static_cast<float>(view.distanceTo(origin).value_or(std::numeric_limits<double>::infinity()));
+  return state_->hits(origin, direction, kTouching, far, context);
+}
+
+bool Sight::empty(const SightPoint& point, const Vector3d& beside, const SurfaceView& view) const {
+  const Vector3d direction = -view.towardsViewer(beside);
+  const Vector3d origin = view.eye ? *view.eye : Vector3d(beside - kFarOutside * direction);
+  Context context{};
+  context.mesh = state_->mesh;
+  context.own = point.triangle;
+  context.foldReach = std::numeric_limits<float>::infinity();
+  return !state_->hits(origin, direction, 0.0f, std::numeric_limits<float>::infinity(), context);
+}
+
+#if defined(__SSE__)
+FlushDenormals::FlushDenormals() : before_(_mm_getcsr()) {
+  constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+  _mm_setcsr(before_ | kFlushToZero | kDenormalsAreZero);
+}
+FlushDenormals::~FlushDenormals() { _mm_setcsr(before_); }
+#else
+FlushDenormals::FlushDenormals() = default;
+FlushDenormals::~FlushDenormals() = default;
+#endif
+
+}  // namespace flatland
