@@ -23,4 +23,11 @@ int normalSide(const SceneCurve& curve, const ViewFrame& frame) {
   return curve.flipNormal ? -side : side;
 }
 
+std::vector<int> normalSides(const Scene& scene) {
+  const ViewFrame frame = frameOf(scene.view);
+  std::vector<int> sides;
+  for (const SceneCurve& curve : scene.curves) sides.push_back(normalSide(curve, frame));
+  return sides;
+}
+
 }  // namespace flatland

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "flatland/scene/scene.h"
 
 namespace flatland {
@@ -11,5 +13,8 @@ namespace flatland {
 /// An open curve whose chord is seen end-on (to 1e-12 of its size), and one whose ends coincide,
 /// counts as closed; no area counts as positive. SceneCurve::flipNormal reverses the answer.
 int normalSide(const SceneCurve& curve, const ViewFrame& frame);
+
+/// That of every curve of the scene in its view.
+std::vector<int> normalSides(const Scene& scene);
 
 }  // namespace flatland

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "flatland/features/features.h"
 #include "flatland/io/json_text.h"
+#include "flatland/io/read_text.h"
 #include "flatland/io/scene_json.h"
 #include "flatland/io/utf8.h"
 
@@ -293,14 +293,7 @@ Lesson lessonFromText(const std::string& text, const std::string& source) {
 }
 
 Lesson loadLesson(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text(kLargestLessonBytes + 1, '\0');
-  if (in) in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad() || !in.is_open() || std::filesystem::is_directory(file)) {
-    throw InputError(file.string(), "", "cannot be read");
-  }
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return lessonFromText(text, file.string());
+  return lessonFromText(readFile(file, kLargestLessonBytes), file.string());
 }
 
 }  // namespace flatland

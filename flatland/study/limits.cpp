@@ -393,6 +393,16 @@ std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, do
   return series;
 }
 
+std::optional<ForeshortenedTerms> foreshortenedTerms(const Scene& scene, int curve, double t) {
+  constexpr double kAtSilhouette = 1e-12;
+  const Jet jet = jetAt(shapeOf(scene, curve), t);
+  if (!(jet.d1.squaredNorm() > 0.0)) return std::nullopt;
+  const Terms terms = termsAt(jet, frameOf(scene.view), 1);
+  const double nw = std::abs(terms.nw);
+  return ForeshortenedTerms{nw, std::abs(terms.feature), std::abs(terms.offset),
+                            nw < kAtSilhouette ? std::nullopt : terms.lambda};
+}
+
 double angleDegWithForeshortening(const Vec2& tangent, double nw, double nearDeg) {
   const Vec2 w = frameOf(View{nearDeg, std::nullopt}).towards;
   const Vec2 left = rotateCcw(tangent);

@@ -92,6 +92,17 @@ std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, doubl
 std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, double t,
                                                const std::function<bool()>& goOn = {});
 
+/// What grows and what vanishes at a place in the scene's view, as amounts: without the signs that
+/// come from the side of the normal.
+struct ForeshortenedTerms {
+  double nw;                     ///< |n.w|
+  double feature, offset;        ///< 1/length^3, see Terms
+  std::optional<double> lambda;  ///< empty where |n.w| is below 1e-12, the rounding of the view's
+                                 ///< angle: a silhouette
+};
+/// nullopt where the speed vanishes.
+std::optional<ForeshortenedTerms> foreshortenedTerms(const Scene& scene, int curve, double t);
+
 /// The direction of view, in degrees, from which a point with this tangent (unit) has |n.w| = `nw`
 /// (0 to 1): on the side of the normal and of the tangent on which `nearDeg` sees it.
 double angleDegWithForeshortening(const Vec2& tangent, double nw, double nearDeg);

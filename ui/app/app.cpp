@@ -17,7 +17,7 @@
 #include "ui/app/language.h"
 #include "ui/app/layouts.h"
 #include "ui/app/main_window.h"
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 
 namespace flatland::ui {
 

@@ -7,7 +7,7 @@
 
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/scene_json.h"
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/figure_writers.h"
 #include "ui/model/core_words.h"

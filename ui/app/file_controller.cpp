@@ -10,7 +10,7 @@
 
 #include "flatland/io/input_error.h"
 #include "ui/app/message_bar.h"
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 #include "ui/import/shown_svg.h"
 #include "ui/model/core_words.h"
 

@@ -22,7 +22,7 @@
 #include "ui/app/menus.h"
 #include "ui/app/message_bar.h"
 #include "ui/app/panels.h"
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 #include "ui/app/status_line.h"
 
 namespace flatland::ui {

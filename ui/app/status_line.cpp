@@ -116,10 +116,7 @@ void StatusLine::changed(const Change& change) {
 }
 
 void StatusLine::watchSides(bool onlyTheViewTurned) {
-  const Scene& scene = document_.scene();
-  const ViewFrame frame = frameOf(scene.view);
-  std::vector<int> sides;
-  for (const SceneCurve& curve : scene.curves) sides.push_back(normalSide(curve, frame));
+  std::vector<int> sides = normalSides(document_.scene());
   const bool exchanged = onlyTheViewTurned && sides != sides_;
   sides_ = std::move(sides);
   if (exchanged) {

@@ -2,7 +2,7 @@
 #include "ui/import/shown_svg.h"
 
 #include "flatland/io/input_error.h"
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 
 namespace flatland::ui {
 

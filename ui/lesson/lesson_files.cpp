@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "flatland/io/input_error.h"
+#include "ui/model/paths.h"
 
 // In a static library resources register themselves only when asked to, from outside any namespace.
 static void initLessonResources() { Q_INIT_RESOURCE(lesson_resources); }
@@ -21,14 +22,13 @@ namespace {
 constexpr char kRecentKey[] = "lessons/recent";
 constexpr char kFolder[] = ":/lesson/lessons/";
 
+bool isShipped(const QString& name) { return name.startsWith(':'); }
+
 Lesson read(const QString& name) {
-  QFile file(name);
-  const std::string source = name.toStdString();
-  if (QFileInfo(name).isDir() || !file.open(QIODevice::ReadOnly)) {
-    throw InputError(source, "", "cannot be read");
-  }
-  const QByteArray text = file.read(static_cast<qint64>(kLargestLessonBytes) + 1);
-  return lessonFromText(text.toStdString(), source);
+  if (!isShipped(name)) return loadLesson(toPath(name));
+  QFile file(name);  // within the program, where only Qt can read
+  file.open(QIODevice::ReadOnly);
+  return lessonFromText(file.readAll().toStdString(), name.toStdString());
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void LessonFiles::openFile(const QString& name) {
     emit failed(QString::fromStdString(error.what()));
     return;
   }
-  if (settings_ && !name.startsWith(':')) {
+  if (settings_ && !isShipped(name)) {
     QStringList names = recentFiles();
     const QString full = QFileInfo(name).absoluteFilePath();
     names.removeAll(full);

@@ -26,6 +26,10 @@ class ViewTurner {
   /// step of its own.
   void turnTo(double angleDeg);
 
+  /// To the next whole multiple of |degrees| in the direction of its sign, so that a step there and
+  /// one back is where it began. Precondition: not 0.
+  void turnByStep(double degrees);
+
   void end();
 
   /// Ends the gesture with the view that was there when it began.

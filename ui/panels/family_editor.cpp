@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "flatland/study/bifurcation.h"
 #include "ui/commands/curve_commands.h"
 #include "ui/model/core_words.h"
 #include "ui/panels/marked_slider.h"
@@ -129,13 +130,14 @@ void FamilyEditor::refresh() {
 
 void FamilyEditor::showNote() {
   const FamilyCurve& curve = *shape().family();
-  note_->setVisible(curve.family == Family::Id::Ellipse);
-  if (curve.family != Family::Id::Ellipse) return;
+  const auto bifurcation = bifurcationOf(curve);
+  note_->setVisible(bifurcation.has_value());
+  if (!bifurcation) return;
   const double a = curve.parameters[0], b = curve.parameters[1];
-  const double bifurcation = a * std::sqrt(1.5);
-  const FamilyParameter& parameter = familyOf(curve).parameters[1];
-  const bool inRange = bifurcation >= parameter.low && bifurcation <= parameter.high;
-  rows_[1].slider->setMark(inRange ? std::optional(stepAt(parameter, bifurcation)) : std::nullopt);
+  const FamilyParameter& parameter = familyOf(curve).parameters[bifurcation->parameter];
+  const bool inRange = bifurcation->value >= parameter.low && bifurcation->value <= parameter.high;
+  rows_[bifurcation->parameter].slider->setMark(
+      inRange ? std::optional(stepAt(parameter, bifurcation->value)) : std::nullopt);
   note_->setText(
       tr("b/a = %1. The triangle marks b/a = \u221a(3/2) = 1.2247: seen along y, the tip that "
          "faces "

@@ -8,7 +8,7 @@
 
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/figure_writers.h"
 

@@ -9,9 +9,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <cmath>
 
-#include "flatland/features/terms.h"
 #include "flatland/io/limits_text.h"
 #include "flatland/io/scene_json.h"
 #include "ui/plot/figure_files.h"
@@ -21,8 +19,6 @@ namespace flatland::ui {
 namespace {
 
 constexpr int kSlideSteps = 1000;
-// Nearer than this to the silhouette, n.w is zero but for the rounding of the view's angle.
-constexpr double kAtSilhouette = 1e-12;
 
 std::optional<LimitSeries> run(LimitExperiment experiment, const Scene& scene, int curve, double t,
                                const JobControl& control) {
@@ -237,25 +233,23 @@ void LimitsPanel::showNow() {
   view_->setMarkedX(std::nullopt);
   now_->clear();
   if (!at) return;
-  const Jet jet = jetAt(models_.document.scene().curves[at->curve].shape, at->t);
-  if (!(jet.d1.squaredNorm() > 0.0)) return;
-  const Terms terms = termsAt(jet, frameOf(models_.document.scene().view), 1);
-  const double nw = std::abs(terms.nw);
+  const auto terms =
+      foreshortenedTerms(models_.document.scene(), static_cast<int>(at->curve), at->t);
+  if (!terms) return;
   {
     const QSignalBlocker slideSilent(slide_), boxSilent(nw_);
-    slide_->setValue(qRound(nw * kSlideSteps));
-    nw_->setValue(nw);
+    slide_->setValue(qRound(terms->nw * kSlideSteps));
+    nw_->setValue(terms->nw);
   }
-  const bool atSilhouette = nw < kAtSilhouette;
-  now_->setText(atSilhouette ? tr("n·w = 0: the silhouette; λ has no value here")
-                             : tr("n·w = %1   λ = %2   |feature| %3   |offset| %4")
-                                   .arg(nw, 0, 'g', 4)
-                                   .arg(*terms.lambda, 0, 'g', 5)
-                                   .arg(std::abs(terms.feature), 0, 'g', 4)
-                                   .arg(std::abs(terms.offset), 0, 'g', 4));
+  now_->setText(terms->lambda ? tr("n·w = %1   λ = %2   |feature| %3   |offset| %4")
+                                    .arg(terms->nw, 0, 'g', 4)
+                                    .arg(*terms->lambda, 0, 'g', 5)
+                                    .arg(terms->feature, 0, 'g', 4)
+                                    .arg(terms->offset, 0, 'g', 4)
+                              : tr("n·w = 0: the silhouette; λ has no value here"));
   now_->setToolTip(now_->text());
   const auto& series = view_->series();
-  if (series && series->experiment == LimitExperiment::Turn) view_->setMarkedX(nw);
+  if (series && series->experiment == LimitExperiment::Turn) view_->setMarkedX(terms->nw);
 }
 
 QString LimitsPanel::explanation() const {

@@ -16,7 +16,7 @@
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
 #include "flatland/io/profile_text.h"
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 #include "ui/plot/profile_drawing.h"
 #include "ui/plot/profile_words.h"
 

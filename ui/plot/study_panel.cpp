@@ -15,7 +15,7 @@
 #include <QSlider>
 #include <cmath>
 
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/plot/figure_files.h"
 

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "flatland/io/offset_table.h"
-#include "ui/app/paths.h"
+#include "ui/model/paths.h"
 
 namespace flatland::ui {
 

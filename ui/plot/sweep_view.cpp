@@ -300,14 +300,6 @@ void SweepView::showAll() {
   redraw();
 }
 
-void SweepView::turnBy(double degrees) {
-  // To whole steps, so that a step there and one back is where it began.
-  const double unit = std::abs(degrees);
-  const double now = models_.document.scene().view.angleDeg;
-  const double steps = degrees > 0 ? std::floor(now / unit + 1e-6) : std::ceil(now / unit - 1e-6);
-  turner_.turnTo(unit * (steps + (degrees > 0 ? 1.0 : -1.0)));
-}
-
 void SweepView::goToEvent(int step) {
   if (!source_.data()) return;
   const double now = models_.document.scene().view.angleDeg;
@@ -336,7 +328,7 @@ void SweepView::keyPressEvent(QKeyEvent* event) {
       if (modifiers.testFlag(Qt::ControlModifier)) {
         goToEvent(step);
       } else {
-        turnBy(step * (modifiers.testFlag(Qt::ShiftModifier) ? 0.1 : 1.0));
+        turner_.turnByStep(step * (modifiers.testFlag(Qt::ShiftModifier) ? 0.1 : 1.0));
       }
       return;
     }

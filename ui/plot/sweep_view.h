@@ -65,7 +65,6 @@ class SweepView : public QWidget {
   Vec2 toFigure(const QPointF& widget) const;
   void redraw();
   void goTo(const QPointF& widget);
-  void turnBy(double degrees);
   void zoom(const QPointF& widget, double factor, bool angles, bool lengths);
   void setWindow(SweepWindow window);
   const SweepEvent* eventAt(const QPointF& widget) const;
