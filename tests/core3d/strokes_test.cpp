@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From chains to strokes: gaps, hysteresis, crumbs, simplification, ink.
+#include "core3d/draw/strokes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core3d/draw/compose.h"
+#include "core3d/draw/ink.h"
+#include "core3d/mesh/build_mesh.h"
+#include "tests/support/seed.h"
+
+namespace flatland::test {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// 1 unit is 1 px, the origin at the picture's middle.
+Projection flatProjection() {
+  Projection projection;
+  projection.axes = Eigen::Matrix3d::Identity();
+  projection.width = 800.0;
+  projection.height = 600.0;
+  return projection;
+}
+
+// A straight chain along x from 0, or the outline of a square of that side.
+ScreenChain straight(std::vector<float> strength, double step = 1.0) {
+  LineChain chain;
+  chain.family = LineFamily::ApparentRidges;
+  for (std::size_t i = 0; i < strength.size(); ++i) {
+    chain.points.emplace_back(static_cast<float>(step * static_cast<double>(i)), 0.0f, 0.0f);
+  }
+  chain.triangles.assign(strength.size() - 1, 0);
+  chain.strength = std::move(strength);
+  return onScreen(chain, flatProjection()).front();
+}
+
+ScreenChain ring(std::vector<float> strength, double radius = 50.0) {
+  LineChain chain;
+  chain.family = LineFamily::ApparentRidges;
+  chain.closed = true;
+  const std::size_t n = strength.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+    chain.points.push_back((radius * Vector3d(std::cos(a), std::sin(a), 0.0)).cast<float>());
+  }
+  chain.triangles.assign(n, 0);
+  chain.strength = std::move(strength);
+  return onScreen(chain, flatProjection()).front();
+}
+
+// Visible but between the given places.
+std::vector<Stretch> seenBut(const ScreenChain& chain, std::vector<std::pair<double, double>> gaps,
+                             double smallestGapPx) {
+  return stretchesOf(chain, smallestGapPx, [&](const ScreenChain::Point& p) {
+    const double x = p.at.x();
+    for (const auto& [from, to] : gaps) {
+      if (x >= from && x < to) return Seen::Hidden;
+    }
+    return Seen::Visible;
+  });
+}
+
+TEST(Stretches, ChangesAreLocated) {
+  const ScreenChain chain = straight(std::vector<float>(101, 1.0f));
+  const auto stretches = seenBut(chain, {{20.3, 71.77}}, 3.0);
+  ASSERT_EQ(stretches.size(), 3u);
+  EXPECT_EQ(stretches[0].seen, Seen::Visible);
+  EXPECT_EQ(stretches[1].seen, Seen::Hidden);
+  EXPECT_NEAR(stretches[1].from, 20.3, 1.0 / 32.0);
+  EXPECT_NEAR(stretches[1].to, 71.77, 1.0 / 32.0);
+  EXPECT_EQ(stretches[2].to, 100.0);
+}
+
+TEST(Stretches, ShortOnesTakeTheirNeighboursAnswer) {
+  const ScreenChain chain = straight(std::vector<float>(101, 1.0f));
+  // A short gap closes, a short sight in a long gap vanishes, ends too; long ones stay.
+  const auto stretches =
+      seenBut(chain, {{0.0, 2.0}, {10.0, 12.5}, {40.0, 60.0}, {62.0, 80.0}, {98.5, 101.0}}, 3.0);
+  ASSERT_EQ(stretches.size(), 3u);
+  EXPECT_NEAR(stretches[1].from, 40.0, 0.05);
+  EXPECT_NEAR(stretches[1].to, 80.0, 0.05);
+  EXPECT_EQ(stretches[1].seen, Seen::Hidden);
+  EXPECT_EQ(
+      seenBut(chain, {{0.0, 2.0}, {10.0, 12.5}, {40.0, 60.0}, {62.0, 80.0}, {98.5, 101.0}}, 0.5)
+          .size(),
+      10u);
+}
+
+TEST(Stretches, GoRoundAClosedChain) {
+  const ScreenChain chain = ring(std::vector<float>(200, 1.0f));
+  // Hidden where x > 0: half of the ring, over the start.
+  const auto stretches = seenBut(chain, {{0.0, 1e9}}, 3.0);
+  ASSERT_EQ(stretches.size(), 2u);
+  double hidden = 0.0;
+  for (const Stretch& s : stretches) {
+    if (s.seen == Seen::Hidden) hidden += s.to - s.from;
+  }
+  EXPECT_NEAR(hidden, chain.length() / 2.0, 0.1);
+  const auto all = seenBut(chain, {}, 3.0);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].to, chain.length());
+}
+
+TEST(Stretches, LeaveOutWhatIsBehindTheViewer) {
+  Projection projection = flatProjection();
+  projection.distance = 100.0;
+  LineChain chain;
+  for (int i = 0; i < 10; ++i) {
+    chain.points.emplace_back(static_cast<float>(i), 0.0f, i == 4 || i == 9 ? 200.0f : 0.0f);
+    chain.strength.push_back(static_cast<float>(i));
+    if (i > 0) chain.triangles.push_back(static_cast<std::uint32_t>(i - 1));
+  }
+  auto parts = onScreen(chain, projection);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].chain.points.size(), 4u);
+  EXPECT_EQ(parts[1].chain.triangles, (std::vector<std::uint32_t>{5, 6, 7}));
+  chain.closed = true;
+  chain.triangles.push_back(9);
+  parts = onScreen(chain, projection);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].chain.strength, (std::vector<float>{5, 6, 7, 8}));
+  EXPECT_EQ(parts[1].chain.strength, (std::vector<float>{0, 1, 2, 3}));
+}
+
+TEST(Hysteresis, FollowsDownFromASeed) {
+  //                                       0  1  2  3  4  5  6  7  8  9 10 11
+  const ScreenChain chain = straight({0, 0, 4, 10, 7, 6, 4, 0, 7, 7, 0, 10}, 10.0);
+  const auto strong = strongStretches(chain, 8.0, 0.5);  // down to 4; 8 and 9 have no seed
+  ASSERT_EQ(strong.size(), 2u);
+  EXPECT_DOUBLE_EQ(strong[0].first, 20.0);
+  EXPECT_DOUBLE_EQ(strong[0].second, 60.0);
+  EXPECT_DOUBLE_EQ(strong[1].first, 104.0);  // 4 of 10 on the way up
+  EXPECT_DOUBLE_EQ(strong[1].second, 110.0);
+  EXPECT_EQ(strongStretches(chain, 0.0, 0.5).size(), 1u);
+  EXPECT_TRUE(strongStretches(chain, 11.0, 0.5).empty());
+}
+
+// The slow reference: strength sampled densely, stretches grown from every seed.
+double strongLength(const ScreenChain& chain, double threshold, double hysteresis) {
+  constexpr int kPerPx = 50;
+  const auto n = static_cast<int>(chain.length() * kPerPx);
+  std::vector<bool> keep(n, false);
+  const auto strength = [&](int i) { return chain.at((i + 0.5) / kPerPx).strength; };
+  const bool closed = chain.chain.closed;
+  for (int i = 0; i < n; ++i) {
+    if (strength(i) < threshold) continue;
+    for (const int step : {1, -1}) {
+      for (int k = i, count = 0; count < n; k += step, ++count) {
+        if (closed) k = (k + n) % n;
+        if (k < 0 || k >= n || strength(k) < hysteresis * threshold) break;
+        if (keep[k] && k != i) break;
+        keep[k] = true;
+      }
+    }
+  }
+  return static_cast<double>(std::count(keep.begin(), keep.end(), true)) / kPerPx;
+}
+
+std::vector<float> randomStrengths(Random& random, int n) {
+  std::vector<float> strength;
+  for (int i = 0; i < n; ++i) strength.push_back(static_cast<float>(uniform(random, 0.0, 10.0)));
+  return strength;
+}
+
+TEST(Hysteresis, AgreesWithGrowingFromSeeds) {
+  Random random(announcedSeed("AgreesWithGrowingFromSeeds", 8));
+  for (int trial = 0; trial < 60; ++trial) {
+    const auto strength = randomStrengths(random, 30);
+    const ScreenChain chain = trial % 2 ? straight(strength, 7.0) : ring(strength);
+    const double threshold = uniform(random, 1.0, 10.0);
+    double length = 0.0;
+    for (const auto& [from, to] : strongStretches(chain, threshold, 0.6)) {
+      EXPECT_LT(from, chain.length());
+      length += to - from;
+    }
+    // Sampling misses peaks thinner than 1/50 px, and stretches that hang on them.
+    EXPECT_NEAR(length, strongLength(chain, threshold, 0.6), 0.04 * 30) << "trial " << trial;
+  }
+}
+
+TEST(Strokes, NeverGrowWithTheThreshold) {
+  Random random(announcedSeed("NeverGrowWithTheThreshold", 9));
+  for (int trial = 0; trial < 40; ++trial) {
+    const auto strength = randomStrengths(random, 40);
+    SeenChain chain{trial % 2 ? straight(strength, 5.0) : ring(strength), {}};
+    chain.stretches = seenBut(chain.line, {{-20.0, 3.0}, {30.0, 41.0}}, 3.0);
+    std::vector<StrokePart> before;
+    for (double threshold = 10.0; threshold > 0.0; threshold -= 0.25) {
+      const auto parts = strokeParts(chain, 0, {threshold, 6.0}, 0.6);
+      const auto covered = [&](double place, Seen seen) {
+        return std::any_of(parts.begin(), parts.end(), [&](const StrokePart& p) {
+          const double round = chain.line.length();
+          return p.seen == seen && ((place >= p.from && place <= p.to) ||
+                                    (place + round >= p.from && place + round <= p.to));
+        });
+      };
+      for (const StrokePart& p : before) {
+        for (double place = p.from + 0.01; place < p.to; place += 1.0) {
+          EXPECT_TRUE(covered(std::fmod(place, chain.line.length()), p.seen));
+        }
+      }
+      before = parts;
+    }
+  }
+}
+
+TEST(Strokes, CrumbsGoAndContoursLoopsStay) {
+  SeenChain chain{straight(std::vector<float>(101, 1.0f)), {}};
+  chain.stretches = seenBut(chain.line, {{4.0, 50.0}, {55.0, 60.0}}, 3.0);
+  const auto parts = strokeParts(chain, 7, {0.5, 6.0}, 0.6);
+  ASSERT_EQ(parts.size(), 2u);  // hidden 4 to 50 and visible 60 to 100; 4, 5 and 5 px are crumbs
+  EXPECT_EQ(parts[0].seen, Seen::Hidden);
+  EXPECT_NEAR(parts[1].from, 60.0, 0.05);
+  EXPECT_EQ(parts[1].chain, 7u);
+
+  SeenChain loop{ring(std::vector<float>(12, 1.0f), 0.5), {}};
+  loop.stretches = seenBut(loop.line, {}, 3.0);
+  EXPECT_TRUE(strokeParts(loop, 0, {0.0, 6.0}, 0.6).empty());
+  loop.line.chain.family = LineFamily::OccludingContours;
+  ASSERT_EQ(strokeParts(loop, 0, {0.0, 6.0}, 0.6).size(), 1u);
+  EXPECT_TRUE(strokeParts(loop, 0, {0.0, 6.0}, 0.6).front().closed);
+}
+
+TEST(Strokes, OutlineAndContourAreOneLineWhenCrumbsAreLookedFor) {
+  SeenChain chain{straight(std::vector<float>(101, 1.0f)), {}};
+  chain.stretches = {{0.0, 4.0, Seen::Outline},
+                     {4.0, 8.0, Seen::Visible},
+                     {8.0, 90.0, Seen::Hidden},
+                     {90.0, 95.0, Seen::Visible},
+                     {95.0, 100.0, Seen::Hidden}};
+  const auto parts = strokeParts(chain, 0, {0.0, 6.0}, 0.6);
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_EQ(parts[0].to, 4.0);
+  EXPECT_EQ(parts[1].to, 8.0);
+  EXPECT_EQ(parts[2].seen, Seen::Hidden);
+}
+
+double distanceTo(const Vector2d& p, const std::vector<Vector2d>& line, bool closed) {
+  double nearest = 1e9;
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
+    const Vector2d a = line[i], d = line[(i + 1) % line.size()] - a;
+    const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-30), 0.0, 1.0);
+    nearest = std::min(nearest, (p - a - t * d).norm());
+  }
+  return nearest;
+}
+
+TEST(Simplify, StaysWithinTheTolerance) {
+  Random random(announcedSeed("StaysWithinTheTolerance", 10));
+  for (int trial = 0; trial < 20; ++trial) {
+    const bool closed = trial % 2 == 1;
+    const double tolerance = std::pow(10.0, uniform(random, -2.0, 1.0));
+    std::vector<Vector2d> line;
+    for (int i = 0; i < 400; ++i) {
+      const double a = 2.0 * std::numbers::pi * i / 400.0;
+      const double r = 100.0 + 10.0 * std::sin(7.0 * a) + uniform(random, -1.0, 1.0);
+      line.emplace_back(r * std::cos(a), r * std::sin(a));
+    }
+    const auto kept = simplified(line, closed, tolerance);
+    std::vector<Vector2d> result;
+    for (const std::size_t i : kept) result.push_back(line[i]);
+    EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+    EXPECT_EQ(kept.front(), 0u);
+    if (!closed) {
+      EXPECT_EQ(kept.back(), 399u);
+    }
+    double worst = 0.0;
+    for (const Vector2d& p : line) worst = std::max(worst, distanceTo(p, result, closed));
+    EXPECT_LE(worst, tolerance * (1.0 + 1e-12));
+    if (tolerance > 3.0) {
+      EXPECT_LT(kept.size(), 60u);
+    }
+    EXPECT_GE(kept.size(), closed ? 3u : 2u);
+  }
+}
+
+TEST(Simplify, CarriesPointsAndStrengthAlong) {
+  SeenChain chain{straight(std::vector<float>(11, 1.0f), 10.0), {}};
+  chain.line.chain.points[5].y() = 8.0f;
+  chain.line = onScreen(chain.line.chain, flatProjection()).front();
+  chain.line.chain.strength[5] = 3.0f;
+  const StrokePart part{0, 15.0, chain.line.length() - 4.0, Seen::Visible, false};
+  const Polyline line = polylineOf(chain, part, flatProjection(), 0.5);
+  ASSERT_EQ(line.points.size(), 5u);  // cut ends, the tip and its feet
+  EXPECT_NEAR(line.points[0].x(), 15.0f, 1e-4f);
+  EXPECT_EQ(line.points[2], Eigen::Vector3f(50.0f, 8.0f, 0.0f));
+  EXPECT_EQ(line.strength[2], 3.0f);
+  EXPECT_NEAR(line.screen[0].x(), 415.0, 1e-4);
+  EXPECT_NEAR(line.points[4].x(), 96.0f, 1e-4f);
+}
+
+TEST(Ink, CountsThePixelsWhoseMiddleIsCovered) {
+  Random random(announcedSeed("CountsThePixelsWhoseMiddleIsCovered", 11));
+  InkRaster raster(61.0, 47.5);
+  const double pixels = 61.0 * 48.0;
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<Vector2d> line;
+    const int n = uniformInt(random, 1, 5);
+    for (int i = 0; i < n; ++i) {
+      line.emplace_back(uniform(random, -20.0, 80.0), uniform(random, -20.0, 70.0));
+    }
+    if (trial % 5 == 0) line.back() = line.front();
+    const double width = uniform(random, 0.3, 12.0);
+    const bool closed = trial % 2 == 1;
+    raster.clear();
+    raster.add(line, closed, width);
+    std::size_t expected = 0;
+    for (int y = 0; y < 48 && n > 1; ++y) {
+      for (int x = 0; x < 61; ++x) {
+        expected += distanceTo({x + 0.5, y + 0.5}, line, closed) <= width / 2.0;
+      }
+    }
+    EXPECT_EQ(raster.covered(), expected) << "trial " << trial;
+    EXPECT_DOUBLE_EQ(raster.share(), static_cast<double>(expected) / pixels);
+    raster.add(line, closed, width);
+    EXPECT_EQ(raster.covered(), expected);  // the same ink twice is the same ink
+  }
+}
+
+// A picture of strokes on a plane: 400 short ones of random strength, 3 creases without threshold.
+struct Sheet {
+  TriangleMesh mesh;
+  FeatureLines found;
+  LineOptions lines;
+
+  Sheet() {
+    PolygonSoup soup;
+    soup.addVertex(-1, -1, 0);
+    soup.addVertex(1, -1, 0);
+    soup.addVertex(1, 1, 0);
+    soup.addVertex(-1, 1, 0);
+    soup.addTriangle(0, 1, 2);
+    soup.addTriangle(0, 2, 3);
+    mesh = buildMesh(soup).mesh;
+    Random random(announcedSeed("Sheet", 12));
+    std::uint64_t node = 0;
+    const auto add = [&](LineFamily family, double length, float strength) {
+      const double a = uniform(random, 0.0, 6.3);
+      const Vector3d p(uniform(random, -0.9, 0.9), uniform(random, -0.9, 0.9), 0.0);
+      const Vector3d q = p + length * Vector3d(std::cos(a), std::sin(a), 0.0);
+      found.of(family).push_back({{p.cast<float>(), strength, freeNode(node)},
+                                  {q.cast<float>(), strength, freeNode(node + 1)},
+                                  0});
+      node += 2;
+    };
+    for (int i = 0; i < 400; ++i) {
+      add(LineFamily::ApparentRidges, 0.08, static_cast<float>(std::exp(normal(random))));
+    }
+    for (int i = 0; i < 400; ++i) {
+      add(LineFamily::Ridges, 0.06, static_cast<float>(5.0 * std::exp(normal(random))));
+    }
+    for (int i = 0; i < 3; ++i) add(LineFamily::Creases, 0.4, 1.0f);
+    lines[LineFamily::ApparentRidges] = lines[LineFamily::Ridges] = lines[LineFamily::Creases] =
+        true;
+    lines.threshold[static_cast<std::size_t>(LineFamily::Ridges)] = 7.0;
+  }
+
+  Drawing draw(const StrokeOptions& strokes) const {
+    const SurfaceFields none;
+    return composeDrawing(found, Sight(mesh, none), projectionOf(Camera(), mesh), lines, strokes);
+  }
+};
+
+TEST(Ink, IsMetByOneFactorOnTheThresholds) {
+  const Sheet sheet;
+  for (const double ink : {0.005, 0.01, 0.02, 0.03}) {
+    const Drawing drawing = sheet.draw({.ink = ink});
+    EXPECT_NEAR(drawing.stats.ink, ink, 0.01 * ink);
+    EXPECT_TRUE(drawing.stats.inkReached);
+    // The factor is what it says: drawing with it gives the same strokes, creases all the while.
+    Sheet again = sheet;
+    for (double& threshold : again.lines.threshold) threshold *= drawing.stats.thresholdFactor;
+    const Drawing same = again.draw({});
+    EXPECT_EQ(same.polylines.size(), drawing.polylines.size());
+    EXPECT_DOUBLE_EQ(same.stats.ink, drawing.stats.ink);
+    EXPECT_EQ(std::count_if(drawing.polylines.begin(), drawing.polylines.end(),
+                            [](const Polyline& p) { return p.family == LineFamily::Creases; }),
+              3);
+  }
+}
+
+TEST(Ink, SaysWhenItCannotBeMet) {
+  const Sheet sheet;
+  const Drawing all = sheet.draw({.ink = 0.5});
+  EXPECT_FALSE(all.stats.inkReached);
+  EXPECT_EQ(all.polylines.size(), 803u);
+  EXPECT_EQ(all.stats.thresholdFactor, 0.0);
+  const Drawing creases = sheet.draw({.ink = 1e-4});
+  EXPECT_FALSE(creases.stats.inkReached);
+  EXPECT_EQ(creases.polylines.size(), 3u);
+  EXPECT_GT(creases.stats.ink, 1e-4);
+}
+
+TEST(Compose, SaysHowMuchIsNoCrumb) {
+  const Sheet sheet;
+  // At 280 px a unit: ridges of 17 px are shorter than 2 % of the diagonal of 1000 px, the others
+  // of 22 and 112 px longer.
+  const Drawing drawing = sheet.draw({});
+  double total = 0.0, inLong = 0.0;
+  for (const Polyline& line : drawing.polylines) {
+    const double length = (line.screen[1] - line.screen[0]).norm();
+    total += length;
+    if (line.family != LineFamily::Ridges) inLong += length;
+  }
+  EXPECT_NEAR(drawing.stats.share, inLong / total, 1e-9);
+  EXPECT_GT(drawing.stats.share, 0.3);
+  EXPECT_LT(drawing.stats.share, 0.7);
+}
+
+TEST(Compose, AsksForLinesDownToWhereTheyAreFollowed) {
+  LineOptions lines;
+  lines[LineFamily::ExteriorSilhouette] = true;
+  const auto ridges = static_cast<std::size_t>(LineFamily::ApparentRidges);
+  lines.threshold[ridges] = 10.0;
+  const LineOptions asked = linesToFind(lines, {.hysteresis = 0.5});
+  EXPECT_DOUBLE_EQ(asked.threshold[ridges], 5.0);
+  EXPECT_TRUE(asked[LineFamily::OccludingContours]);
+  EXPECT_TRUE(asked[LineFamily::Boundaries]);
+  EXPECT_EQ(linesToFind(lines, {.ink = 0.04}).threshold[ridges], 0.0);
+}
+
+TEST(Compose, StopsWhenAsked) {
+  const Sheet sheet;
+  std::stop_source source;
+  source.request_stop();
+  const Drawing drawing = sheet.draw({.ink = 0.01, .stop = source.get_token()});
+  EXPECT_TRUE(drawing.polylines.empty());
+}
+
+TEST(Compose, OrderOfSegmentsDoesNotMatter) {
+  Sheet sheet;
+  const Drawing before = sheet.draw({.ink = 0.02});
+  Random random(announcedSeed("OrderOfSegmentsDoesNotMatter", 13));
+  for (auto& segments : sheet.found.segments)
+    std::shuffle(segments.begin(), segments.end(), random);
+  const Drawing after = sheet.draw({.ink = 0.02});
+  ASSERT_EQ(before.polylines.size(), after.polylines.size());
+  for (std::size_t i = 0; i < before.polylines.size(); ++i) {
+    EXPECT_EQ(before.polylines[i].screen, after.polylines[i].screen);
+    EXPECT_EQ(before.polylines[i].strength, after.polylines[i].strength);
+  }
+}
+
+}  // namespace
+}  // namespace flatland::test
