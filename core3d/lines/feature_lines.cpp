@@ -31,6 +31,9 @@ std::array<double, kLineFamilyCount> LineOptions::defaultThresholds() {
   set(LineFamily::SuggestiveContours, 1.0);
   set(LineFamily::SuggestiveHighlights, 1.0);
   set(LineFamily::PrincipalHighlights, 1.0);
+  set(LineFamily::Parabolic, 0.1);
+  set(LineFamily::ZeroMeanCurvature, 0.1);
+  set(LineFamily::Creases, 30.0);
   return thresholds;
 }
 

@@ -57,6 +57,9 @@ struct LineOptions {
 
   bool& operator[](LineFamily family) { return on[static_cast<std::size_t>(family)]; }
   bool operator[](LineFamily family) const { return on[static_cast<std::size_t>(family)]; }
+  double thresholdOf(LineFamily family) const {
+    return threshold[static_cast<std::size_t>(family)];
+  }
 
   static std::array<double, kLineFamilyCount> defaultThresholds();
 };

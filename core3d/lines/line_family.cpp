@@ -39,6 +39,6 @@ std::optional<LineFamily> lineFamilyNamed(std::string_view name) {
   return std::nullopt;
 }
 
-bool dependsOnView(LineFamily family) { return family <= LineFamily::Isophotes; }
+bool dependsOnView(LineFamily family) { return static_cast<std::size_t>(family) < kViewFamilies; }
 
 }  // namespace flatland

@@ -11,7 +11,8 @@ namespace flatland {
 
 /// The kinds of lines that are found on a surface. "View" says that they move with the viewer.
 enum class LineFamily : std::uint8_t {
-  ExteriorSilhouette,    ///< view: contours against the background
+  ExteriorSilhouette,    ///< view: contours against the background. LineFinder gives all contours
+                         ///< for it; drawing keeps those with nothing behind (rays are cast there)
   OccludingContours,     ///< view: n.w = 0, the exterior silhouette included
   SuggestiveContours,    ///< view: radial curvature 0, growing towards the viewer
   SuggestiveHighlights,  ///< view: radial curvature 0, falling towards the viewer
@@ -28,6 +29,7 @@ enum class LineFamily : std::uint8_t {
   Topographic,           ///< a coordinate = a level
 };
 inline constexpr std::size_t kLineFamilyCount = 15;
+inline constexpr std::size_t kViewFamilies = 7;  ///< the first ones, which depend on the view
 
 /// All families, in the order of the enumeration.
 std::array<LineFamily, kLineFamilyCount> allLineFamilies();

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Lines that are edges of the mesh: creases and boundaries.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "core3d/lines/families.h"
+
+namespace flatland {
+namespace {
+
+LineSegment edgeOf(const TriangleMesh& mesh, std::uint32_t halfEdge, float strength) {
+  const std::uint32_t a = mesh.vertexOf(halfEdge),
+                      b = mesh.vertexOf(TriangleMesh::nextCorner(halfEdge));
+  return {{mesh.position(a), strength, vertexNode(a)},
+          {mesh.position(b), strength, vertexNode(b)},
+          halfEdge / 3};
+}
+
+Eigen::Vector3d areaVector(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const auto& v = mesh.triangles[triangle];
+  const Eigen::Vector3d p = mesh.position(v[0]).cast<double>();
+  return (mesh.position(v[1]).cast<double>() - p).cross(mesh.position(v[2]).cast<double>() - p);
+}
+
+}  // namespace
+
+Segments findCreases(const TriangleMesh& mesh, double leastDeg) {
+  Segments out;
+  for (std::uint32_t h = 0; h < mesh.opposite.size(); ++h) {
+    if (!mesh.hasOpposite(h) || mesh.opposite[h] < h) continue;
+    const Eigen::Vector3d a = areaVector(mesh, h / 3), b = areaVector(mesh, mesh.opposite[h] / 3);
+    // 0 where one of them is flat: it has no direction.
+    const double angleRad = std::atan2(a.cross(b).norm(), a.dot(b));
+    const double angleDeg = angleRad * 180.0 / std::numbers::pi;
+    if (angleDeg > 0.0 && angleDeg >= leastDeg)
+      out.push_back(edgeOf(mesh, h, static_cast<float>(angleDeg)));
+  }
+  return out;
+}
+
+Segments findBoundaries(const TriangleMesh& mesh) {
+  Segments out;
+  for (std::uint32_t h = 0; h < mesh.opposite.size(); ++h) {
+    if (mesh.opposite[h] == TriangleMesh::kBorder) out.push_back(edgeOf(mesh, h, 1.0f));
+  }
+  return out;
+}
+
+}  // namespace flatland

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core3d/lines/crossings.h"
+#include "core3d/lines/feature_lines.h"
+#include "core3d/lines/seen_vertices.h"
+
+// The families of lines, each in a file of its own. Part of LineFinder, which walks over the mesh
+// once and calls those of the view for the triangles whose flags say that something may be there.
+// Definitions, signs and thresholds: docs/math/lines.md.
+
+namespace flatland {
+
+using Segments = std::vector<LineSegment>;
+
+/// What a family looks at in one view.
+struct Sight {
+  const TriangleMesh& mesh;
+  const SurfaceFields& fields;
+  const SurfaceView& view;
+  const LineOptions& options;
+  const SeenVertices& seen;
+
+  float size() const { return static_cast<float>(fields.size); }
+  float threshold(LineFamily family) const {
+    return static_cast<float>(options.thresholdOf(family));
+  }
+};
+
+// Of the view, for one triangle.
+void addContour(const Sight& sight, std::uint32_t triangle, Segments& out);
+/// Suggestive contours and suggestive highlights; nullptr: not wanted.
+void addSuggestive(const Sight& sight, std::uint32_t triangle, Segments* contours,
+                   Segments* highlights);
+void addApparentRidge(const Sight& sight, std::uint32_t triangle, Segments& out);
+void addIsophotes(const Sight& sight, std::uint32_t triangle, Segments& out);
+void addPrincipalHighlight(const Sight& sight, const SeenVertices& highlights,
+                           std::uint32_t triangle, Segments& out);
+
+/// Replaces slope and r of vertices by what the thesis practised: the difference quotient of lambda
+/// to the one-ring along t_A and against it. Needs everything of seeVertices() everywhere.
+void takeOneRingDerivative(const TriangleMesh& mesh, const SurfaceFields& fields,
+                           SeenVertices& seen);
+
+/// Per vertex for principal highlights: the direction of the larger |curvature|, along which n.w
+/// grows by slope (r, slope), its curvature (root), and flags; kRadial tells e2 from e1.
+void seeHighlights(const TriangleMesh& mesh, const SurfaceFields& fields, const SurfaceView& view,
+                   SeenVertices& highlights);
+
+// Of the mesh alone, whole.
+Segments findRidges(const TriangleMesh& mesh, const SurfaceFields& fields, bool valleys,
+                    bool unfiltered);
+Segments findParabolic(const TriangleMesh& mesh, const SurfaceFields& fields);
+Segments findZeroMeanCurvature(const TriangleMesh& mesh, const SurfaceFields& fields);
+/// Edges whose triangles turn by more than 0 and at least so much.
+Segments findCreases(const TriangleMesh& mesh, double leastDeg);
+Segments findBoundaries(const TriangleMesh& mesh);
+Segments findSelfIntersections(const TriangleMesh& mesh);
+Segments findTopographic(const TriangleMesh& mesh, const Eigen::Vector3d& up, int levels);
+
+/// The end of a piece at a point of an edge.
+LineEnd endAt(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint& point,
+              float strength);
+
+/// Adds the piece of a line between two edges of a triangle; with `nw` (per vertex) only as far as
+/// n.w > 0. Does nothing if neither end reaches the threshold.
+void addPiece(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint (&points)[2],
+              const float (&strength)[2], float threshold, const float* nw, Segments& out,
+              std::uint32_t level = 0);
+
+/// The maxima among the oriented crossings of a triangle, or all of them. `strengthAt(a, b, t)` is
+/// the strength between two vertices, `accepts(a, b)` has the last word on a piece between two
+/// places.
+template <typename Strength, typename Accepts>
+void addOriented(const TriangleMesh& mesh, std::uint32_t triangle, const OrientedFace& face,
+                 bool maximaOnly, float threshold, const Strength& strengthAt,
+                 const Accepts& accepts, Segments& out) {
+  const Crossings found = orientedCrossings(face);
+  if (found.count == 0 || (maximaOnly && !directionsAgree(face))) return;
+  const auto& v = mesh.triangles[triangle];
+  LineEnd ends[3];
+  for (int i = 0; i < found.count; ++i) {
+    const EdgePoint& point = found.points[i];
+    ends[i] = endAt(mesh, triangle, point,
+                    strengthAt(v[static_cast<std::size_t>(point.corner)],
+                               v[static_cast<std::size_t>((point.corner + 1) % 3)], point.t));
+  }
+  if (found.count == 2) {
+    const auto& [a, b, unused] = ends;
+    if (!(std::max(a.strength, b.strength) >= threshold)) return;
+    if (maximaOnly && !isMaximum(face, a.at, b.at)) return;
+    if (!accepts(a.at, b.at)) return;
+    out.push_back({a, b, triangle});
+    return;
+  }
+  const LineEnd middle{(face.p[0] + face.p[1] + face.p[2]) / 3.0f,
+                       (ends[0].strength + ends[1].strength + ends[2].strength) / 3.0f,
+                       freeNode(triangle)};
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::max(ends[i].strength, middle.strength) >= threshold)) continue;
+    const int a = found.points[i].corner, b = (a + 1) % 3;
+    if (maximaOnly && !(pointsTowards(face.p[a], face.r[a], ends[i].at, middle.at) &&
+                        pointsTowards(face.p[b], face.r[b], ends[i].at, middle.at)))
+      continue;
+    if (accepts(ends[i].at, middle.at)) out.push_back({ends[i], middle, triangle});
+  }
+}
+
+}  // namespace flatland

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "core3d/lines/line_finder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "core3d/lines/families.h"
+#include "core3d/lines/vertex_clusters.h"
+
+namespace flatland {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Lines of the mesh alone, before the threshold, with what they were found for.
+struct FixedLines {
+  bool unfiltered = false;
+  double fromThreshold = 0.0;
+  int levels = 0;
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  Segments segments;
+};
+
+}  // namespace
+
+struct LineFinder::State {
+  const TriangleMesh& mesh;
+  const SurfaceFields& fields;
+  VertexClusters clusters;
+  std::vector<VertexRun> runs;
+  SeenVertices seen, highlights;
+  std::array<std::optional<FixedLines>, kLineFamilyCount> fixed;
+  Times times;
+
+  void addFixed(LineFamily family, const LineOptions& options, Segments& out);
+  Segments findFixed(LineFamily family, const LineOptions& options) const;
+  void walk(const Sight& sight, FeatureLines& lines) const;
+};
+
+LineFinder::LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields)
+    : state_(new State{mesh, fields, VertexClusters(mesh, fields), {}, {}, {}, {}, {}}) {}
+LineFinder::~LineFinder() = default;
+LineFinder::LineFinder(LineFinder&&) noexcept = default;
+LineFinder& LineFinder::operator=(LineFinder&&) noexcept = default;
+
+const LineFinder::Times& LineFinder::times() const { return state_->times; }
+
+Segments LineFinder::State::findFixed(LineFamily family, const LineOptions& options) const {
+  switch (family) {
+    case LineFamily::Ridges:
+      return findRidges(mesh, fields, false, options.unfiltered);
+    case LineFamily::Valleys:
+      return findRidges(mesh, fields, true, options.unfiltered);
+    case LineFamily::Parabolic:
+      return findParabolic(mesh, fields);
+    case LineFamily::ZeroMeanCurvature:
+      return findZeroMeanCurvature(mesh, fields);
+    case LineFamily::Creases:
+      return findCreases(mesh, options.unfiltered ? 0.0 : options.thresholdOf(family));
+    case LineFamily::Boundaries:
+      return findBoundaries(mesh);
+    case LineFamily::SelfIntersections:
+      return findSelfIntersections(mesh);
+    default:
+      return findTopographic(mesh, options.topographicUp, options.topographicLevels);
+  }
+}
+
+void LineFinder::State::addFixed(LineFamily family, const LineOptions& options, Segments& out) {
+  auto& kept = fixed[static_cast<std::size_t>(family)];
+  const bool topographic = family == LineFamily::Topographic;
+  const bool creases = family == LineFamily::Creases;
+  const double from = options.unfiltered ? 0.0 : options.thresholdOf(family);
+  if (!kept || kept->unfiltered != options.unfiltered ||
+      (topographic &&
+       (kept->levels != options.topographicLevels || kept->up != options.topographicUp)) ||
+      (creases && kept->fromThreshold > from)) {
+    const auto start = Clock::now();
+    kept = FixedLines{options.unfiltered, from, options.topographicLevels, options.topographicUp,
+                      findFixed(family, options)};
+    times.fixedMs += millisecondsSince(start);
+  }
+  if (options.unfiltered) {
+    out = kept->segments;
+    return;
+  }
+  const auto least = static_cast<float>(options.thresholdOf(family));
+  for (const LineSegment& segment : kept->segments) {
+    if (std::max(segment.a.strength, segment.b.strength) >= least) out.push_back(segment);
+  }
+}
+
+// All triangles once. Flags of the corners decide nearly always that there is nothing.
+void LineFinder::State::walk(const Sight& sight, FeatureLines& lines) const {
+  const LineOptions& options = sight.options;
+  const bool all = options.unfiltered;
+  const auto wanted = [&](LineFamily family) -> Segments* {
+    return options[family] ? &lines.of(family) : nullptr;
+  };
+  Segments* const contours =
+      options[LineFamily::OccludingContours] || options[LineFamily::ExteriorSilhouette]
+          ? &lines.of(LineFamily::OccludingContours)
+          : nullptr;
+  Segments* const apparent = wanted(LineFamily::ApparentRidges);
+  Segments* const suggestive = wanted(LineFamily::SuggestiveContours);
+  Segments* const highlight = wanted(LineFamily::SuggestiveHighlights);
+  Segments* const isophotes = wanted(LineFamily::Isophotes);
+  Segments* const principal = wanted(LineFamily::PrincipalHighlights);
+
+  constexpr unsigned kOctant = VertexFlag::kOctant, kFront = VertexFlag::kFront,
+                     kStrong = VertexFlag::kStrong, kRadial = VertexFlag::kRadial,
+                     kKnown = VertexFlag::kKnown;
+  const unsigned differing = (contours ? kFront : 0u) | (apparent ? kOctant : 0u) |
+                             (suggestive || highlight ? kRadial : 0u);
+  const std::uint8_t* const flags = seen.flags.data();
+  const auto count = static_cast<std::uint32_t>(mesh.triangleCount());
+  for (std::uint32_t t = 0; t < count && differing != 0; ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const unsigned some = flags[a] | flags[b] | flags[c], every = flags[a] & flags[b] & flags[c];
+    const unsigned differ = (some ^ every) & differing;
+    if (differ == 0 || !(every & kKnown)) continue;
+    if (differ & kFront) addContour(sight, t, *contours);
+    if ((differ & kOctant) && (all || ((some & kStrong) && (every & kFront))))
+      addApparentRidge(sight, t, *apparent);
+    if ((differ & kRadial) && (all || (some & kFront)))
+      addSuggestive(sight, t, suggestive, highlight);
+  }
+  for (std::uint32_t t = 0; t < count && isophotes; ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (flags[a] & flags[b] & flags[c] & kKnown) addIsophotes(sight, t, *isophotes);
+  }
+  for (std::uint32_t t = 0; t < count && principal; ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const std::uint8_t* const f = highlights.flags.data();
+    const unsigned some = f[a] | f[b] | f[c], every = f[a] & f[b] & f[c];
+    if ((some ^ every) & kOctant && !((some ^ every) & kRadial) && (every & kKnown) &&
+        (all || (every & kFront)))
+      addPrincipalHighlight(sight, highlights, t, *principal);
+  }
+}
+
+FeatureLines LineFinder::find(const SurfaceView& view, const LineOptions& options) {
+  State& s = *state_;
+  s.times = {};
+  FeatureLines lines;
+  const bool oneRing = options.derivative == RidgeDerivative::OneRing;
+  VertexNeeds needs;
+  needs.ridges = options[LineFamily::ApparentRidges];
+  needs.radial =
+      options[LineFamily::SuggestiveContours] || options[LineFamily::SuggestiveHighlights];
+  needs.facing = options[LineFamily::Isophotes];
+  needs.everywhere = options.unfiltered || (needs.ridges && oneRing);
+  needs.minRoot =
+      options.unfiltered
+          ? -1.0f
+          : static_cast<float>(options.thresholdOf(LineFamily::ApparentRidges) / s.fields.size);
+  const bool ofView = std::any_of(options.on.begin(), options.on.begin() + kViewFamilies,
+                                  [](bool on) { return on; });
+  const Sight sight{s.mesh, s.fields, view, options, s.seen};
+  if (ofView) {
+    auto start = Clock::now();
+    s.seen.resize(s.mesh.vertexCount(), needs);
+    s.clusters.runsFor(view, needs, s.runs);
+    seeVertices(s.mesh, s.fields, view, needs.minRoot, s.runs, s.seen);
+    if (needs.ridges && oneRing) takeOneRingDerivative(s.mesh, s.fields, s.seen);
+    if (options[LineFamily::PrincipalHighlights])
+      seeHighlights(s.mesh, s.fields, view, s.highlights);
+    s.times.vertexMs = millisecondsSince(start);
+    start = Clock::now();
+    s.walk(sight, lines);
+    s.times.segmentMs = millisecondsSince(start);
+  }
+  for (const LineFamily family : allLineFamilies()) {
+    if (!dependsOnView(family) && options[family]) s.addFixed(family, options, lines.of(family));
+  }
+  if (options[LineFamily::ExteriorSilhouette]) {
+    lines.of(LineFamily::ExteriorSilhouette) = lines.of(LineFamily::OccludingContours);
+    if (!options[LineFamily::OccludingContours]) lines.of(LineFamily::OccludingContours).clear();
+  }
+  return lines;
+}
+
+}  // namespace flatland

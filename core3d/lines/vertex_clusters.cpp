@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "core3d/lines/vertex_clusters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flatland {
+
+VertexClusters::VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fields)
+    : vertices_(static_cast<std::uint32_t>(mesh.vertexCount())) {
+  // The rest of the division goes to the last one, so that none is shorter than a SIMD vector.
+  clusters_.resize(std::max(vertices_ / kSize, 1u));
+  const auto count = static_cast<std::uint32_t>(clusters_.size());
+  std::vector<std::uint32_t> around;
+  for (std::uint32_t c = 0; c < count; ++c) {
+    const std::uint32_t begin = c * kSize, end = c + 1 == count ? vertices_ : begin + kSize;
+    around.clear();
+    for (std::uint32_t v = begin; v < end; ++v) {
+      for (std::uint32_t i = mesh.cornerStart[v]; i < mesh.cornerStart[v + 1]; ++i) {
+        const std::uint32_t corner = mesh.cornersAt[i];
+        for (const std::uint32_t u : mesh.triangles[corner / 3]) around.push_back(u);
+      }
+    }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+
+    Cluster& cluster = clusters_[c];
+    Eigen::Vector3f axis = Eigen::Vector3f::Zero(), low = mesh.position(around[0]), high = low;
+    bool known = true;
+    cluster.k1Max = fields.k1[around[0]];
+    cluster.k2Min = fields.k2[around[0]];
+    for (const std::uint32_t v : around) {
+      const Eigen::Vector3f n = fields.normal(v);
+      known = known && n.squaredNorm() > 0.25f && std::isfinite(fields.k1[v] + fields.k2[v]);
+      axis += n;
+      low = low.cwiseMin(mesh.position(v));
+      high = high.cwiseMax(mesh.position(v));
+      cluster.k1Max = std::max(cluster.k1Max, fields.k1[v]);
+      cluster.k2Min = std::min(cluster.k2Min, fields.k2[v]);
+    }
+    cluster.centre = 0.5f * (low + high);
+    cluster.radius = 0.5f * (high - low).norm();
+    cluster.axis = axis.norm() > 0.0f ? Eigen::Vector3f(axis.normalized()) : axis;
+    float least = 1.0f;
+    for (const std::uint32_t v : around)
+      least = std::min(least, cluster.axis.dot(fields.normal(v)));
+    cluster.cosCone = known ? least : -1.0f;
+    cluster.sinCone = std::sqrt(std::max(0.0f, 1.0f - least * least));
+  }
+}
+
+void VertexClusters::runsFor(const SurfaceView& view, const VertexNeeds& needs,
+                             std::vector<VertexRun>& runs) const {
+  // For the rounding of the cones and of n.w.
+  constexpr float kMargin = 1e-4f;
+  // So far below the bound that a walk down from a maximum (contrast.h), once it meets a vertex
+  // passed over, has fallen far enough.
+  constexpr float kClear = 0.95f;
+  runs.clear();
+  const auto count = static_cast<std::uint32_t>(clusters_.size());
+  for (std::uint32_t c = 0; c < count; ++c) {
+    const Cluster& cluster = clusters_[c];
+    const std::uint32_t end = c + 1 == count ? vertices_ : (c + 1) * kSize;
+    float cosCone = cluster.cosCone, sinCone = cluster.sinCone;
+    Eigen::Vector3f w = view.towards.cast<float>();
+    bool known = cosCone > 0.0f && !needs.everywhere;
+    if (view.eye) {
+      w = view.eye->cast<float>() - cluster.centre;
+      const float distance = w.norm();
+      // Directions to the viewer differ by up to asin(radius / distance) from that of the centre.
+      const float sine = distance > 0.0f ? cluster.radius / distance : 2.0f;
+      known = known && sine < 0.9f;
+      if (known) {
+        w /= distance;
+        const float cosine = std::sqrt(1.0f - sine * sine);
+        const float turned = cosCone * cosine - sinCone * sine;
+        sinCone = sinCone * cosine + cosCone * sine;
+        cosCone = turned;
+        known = cosCone > 0.0f;
+      }
+    }
+    VertexRun run{c * kSize, end, true, needs.ridges, needs.radial};
+    if (known) {
+      const float cosine = cluster.axis.dot(w);
+      const float sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
+      const float most = cosine >= cosCone ? 1.0f : cosine * cosCone + sine * sinCone;
+      const float least = cosine <= -cosCone ? -1.0f : cosine * cosCone - sine * sinCone;
+      const float kMost = std::max(cluster.k1Max, -cluster.k2Min);
+      const bool away = most<-kMargin, towards = least> kMargin;
+      run.nw = needs.facing || !(away || towards);
+      // lambda <= max(|k1|, |k2|)^2 / nw^2.
+      run.ridges =
+          needs.ridges && !away && !(towards && kMost < kClear * needs.minRoot * (least - kMargin));
+      run.radial = needs.radial && !away && cluster.k1Max >= 0.0f && cluster.k2Min <= 0.0f;
+      run.flags = VertexFlag::kKnown | VertexFlag::kSkipped;
+      if (towards) run.flags |= VertexFlag::kFront;
+      if (cluster.k2Min > 0.0f) run.flags |= VertexFlag::kRadial;
+    }
+    if (!runs.empty()) {
+      VertexRun& last = runs.back();
+      if (last.nw == run.nw && last.ridges == run.ridges && last.radial == run.radial &&
+          (last.flags == run.flags || run.nw || run.ridges || run.radial)) {
+        last.end = end;
+        continue;
+      }
+    }
+    runs.push_back(run);
+  }
+}
+
+}  // namespace flatland

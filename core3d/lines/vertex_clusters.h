@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core3d/lines/seen_vertices.h"
+
+namespace flatland {
+
+/// Vertices in clusters that lie together (they are in Hilbert order), each with bounds on what it
+/// and its neighbours can show: which way the normals point and how large the curvatures are. A
+/// view passes over clusters near which nothing can be found, so that its cost follows the lines
+/// and not the mesh.
+class VertexClusters {
+ public:
+  /// One pass over vertices and triangles.
+  VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fields);
+
+  /// The runs of vertices that a view has to compute, in order, covering all. A run is passed over
+  /// only if that changes no face: all vertices of all faces at it face away, or face the viewer
+  /// with sqrt(lambda) below needs.minRoot and radial curvature of one sign.
+  void runsFor(const SurfaceView& view, const VertexNeeds& needs,
+               std::vector<VertexRun>& runs) const;
+
+ private:
+  static constexpr std::uint32_t kSize = 64;  // a few cells across on either side
+  struct Cluster {
+    Eigen::Vector3f axis, centre;
+    float cosCone, sinCone;  ///< half-angle of the cone about the normals; cosCone < 0: unknown
+    float radius;            ///< of a ball around the vertices
+    float k1Max, k2Min;
+  };
+  std::vector<Cluster> clusters_;
+  std::uint32_t vertices_;
+};
+
+}  // namespace flatland
