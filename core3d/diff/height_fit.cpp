@@ -52,12 +52,19 @@ void HeightSums::add(double u, double v, double h, double weight) {
   ++points;
 }
 
-HeightSums& HeightSums::operator+=(const HeightSums& other) {
-  for (std::size_t k = 0; k < kPowers; ++k) powers[k] += other.powers[k];
-  for (std::size_t k = 0; k < kSize; ++k) heights[k] += other.heights[k];
-  heightsSq += other.heightsSq;
+void HeightSums::add(const HeightSums& other, double weight) {
+  for (std::size_t k = 0; k < kPowers; ++k) powers[k] += weight * other.powers[k];
+  for (std::size_t k = 0; k < kSize; ++k) heights[k] += weight * other.heights[k];
+  heightsSq += weight * other.heightsSq;
   points += other.points;
-  return *this;
+}
+
+double HeightPolynomial::fourthNorm() const {
+  // Derivatives i! j! a_ij, each as often as its indices can be ordered.
+  double sum = 0.0;
+  constexpr double kWeights[] = {576.0, 4.0 * 36.0, 6.0 * 16.0, 4.0 * 36.0, 576.0};
+  for (int j = 0; j <= 4; ++j) sum += kWeights[j] * at(4 - j, j) * at(4 - j, j);
+  return std::sqrt(sum);
 }
 
 HeightPolynomial fitHeight(const HeightSums& sums, int degree) {
@@ -106,6 +113,21 @@ HeightPolynomial fitHeight(const HeightSums& sums, int degree) {
     x[i] = entry * inverse[i];
   }
   for (std::size_t i = 0; i < size; ++i) x[i] *= scale[i];
+
+  // The inverse's diagonal: the squares of column i of L's inverse.
+  constexpr double kThird[] = {36.0, 3.0 * 4.0, 3.0 * 4.0, 36.0};
+  for (std::size_t i = HeightPolynomial::sizeOf(2); i < std::min(size, HeightPolynomial::sizeOf(3));
+       ++i) {
+    double column[kSize], squares = 0.0;
+    for (std::size_t k = i; k < size; ++k) {
+      double entry = k == i ? 1.0 : 0.0;
+      for (std::size_t m = i; m < k; ++m) entry -= L[k][m] * column[m];
+      column[k] = entry * inverse[k];
+      squares += column[k] * column[k];
+    }
+    polynomial.thirdVariance +=
+        kThird[i - HeightPolynomial::sizeOf(2)] * squares * scale[i] * scale[i];
+  }
   return polynomial;
 }
 

@@ -17,9 +17,14 @@ struct HeightPolynomial {
 
   int degree = 0;
   std::array<double, kSize> coefficients{};
+  /// How errors of the heights with variance 1 reach the third derivatives: sum of the variances of
+  /// all eight, h_uuu, h_uuv, h_uvu, ...; 0 if there are none.
+  double thirdVariance = 0.0;
 
   /// Of u^i v^j.
   double at(int i, int j) const { return coefficients[index(i, j)]; }
+  /// Root of the sum of the squares of all sixteen fourth derivatives.
+  double fourthNorm() const;
 };
 
 /// Weighted points over a plane, reduced to the sums that a least squares fit of any degree up to 4
@@ -33,7 +38,8 @@ struct HeightSums {
   int points = 0;
 
   void add(double u, double v, double h, double weight);
-  HeightSums& operator+=(const HeightSums& other);
+  /// Adds the points of another set, their weights multiplied.
+  void add(const HeightSums& other, double weight);
 };
 
 /// The polynomial of least squares, of the highest degree up to `degree` (2 to 4) that the points

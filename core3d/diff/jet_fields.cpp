@@ -5,188 +5,182 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core3d/diff/height_fit.h"
+#include "core3d/diff/local_fit.h"
 #include "core3d/diff/one_ring.h"
 #include "core3d/diff/vertex_blocks.h"
-#include "core3d/diff/vertex_rings.h"
 
 namespace flatland {
 
 namespace {
 
-using Eigen::Vector3d;
+using Normals = std::vector<Eigen::Vector3d>;
 
-constexpr int kLeastRings = 2, kBaseRings = 3, kMostRings = 6, kWidestRings = 24;
-// How many times the mesh's noise a fit may miss the vertices of one of its rings by.
-constexpr double kTolerance = 2.0;
-// Positions are floats in [-1, 1].
+// How large a neighbourhood is, in rings. kUnresolved: the surface bends within an edge, no
+// polynomial holds, and the estimate of the one-ring, which looks least far, is the sharpest.
+constexpr float kUnresolved = 1.0f;
+constexpr int kSmallest = 2, kFirst = 3, kLargest = 6;
+constexpr double kWidest = 24.0;  // with the user's scale: 1,800 vertices each
+
+// A fit holds if it misses the vertices of none of its rings by more than the mesh's noise times
+// this (root mean square): noise alone does not reach it on six vertices.
+constexpr double kNoiseTimes = 3.0;
+// In edges: a fit of three rings that misses a ring by more is not that of a resolved surface. A
+// groove or stitch of one edge's width that turns the normal by 20 degrees is missed by as much.
+constexpr double kUnresolvedMiss = 0.06;
+// The share of vertices that are called free of features when noise is measured.
+constexpr double kPlainShare = 0.1;
+// Positions are floats in [-1, 1]: their rounding as a root mean square.
 constexpr double kRounding = 2e-8;
-// In edges: how far a line may be misplaced by noise before a wider fit is preferred.
-constexpr double kGoal = 0.05;
+// In edges: noise may displace a line (the zero of a third derivative that grows like the fourth)
+// by this much before a wider fit is tried.
+constexpr double kDisplacement = 0.4;
+// A residual that is not noise is one-sided over many vertices; it does this times as much harm.
+// Over two rings it cannot be seen; it grows like the fifth power of the size.
+constexpr double kTwoRingsShare = 0.13;
 
-// The surface round one vertex as heights over its tangent plane, in units of an edge.
-class LocalFit {
- public:
-  LocalFit(const TriangleMesh& mesh, const VertexNeighbours& neighbours,
-           const std::vector<Vector3d>& normals)
-      : mesh_(mesh), normals_(normals), rings_(neighbours) {}
-
-  // False if the vertex has no normal.
-  bool startAt(std::uint32_t v) {
-    n_ = normals_[v];
-    if (n_.isZero(0.0)) return false;
-    p_ = mesh_.position(v).cast<double>();
-    e1_ = n_.unitOrthogonal();
-    e2_ = n_.cross(e1_);
-    rings_.startAt(v);
-    rings_.grow();
-    double sum = 0.0;
-    for (const std::uint32_t q : rings_.ring(1))
-      sum += (mesh_.position(q).cast<double>() - p_).norm();
-    const auto count = static_cast<double>(rings_.ring(1).size());
-    unit_ = sum / count;
-    if (!(unit_ > 0.0)) return false;
-    const double scale = 1.0 / unit_;
-    e1_ *= scale;
-    e2_ *= scale;
-    const Vector3d up = n_ * scale;
-    up_ = up;
-    sums_.clear();
-    sums_.emplace_back();
-    sums_[0].add(0.0, 0.0, 0.0, 1.0);
-    addRing(1);
-    return true;
-  }
-
-  // Adds rings until there are k; false if the surface ends before.
-  bool growTo(int k) {
-    while (rings_.rings() < k) {
-      rings_.grow();
-      addRing(rings_.rings());
-    }
-    return !rings_.ring(k).empty();
-  }
-
-  HeightSums within(int k) const {
-    HeightSums sum = sums_[0];
-    for (int i = 1; i <= k; ++i) sum += sums_[static_cast<std::size_t>(i)];
-    return sum;
-  }
-  const HeightSums& ring(int k) const { return sums_[static_cast<std::size_t>(k)]; }
-  double unit() const { return unit_; }
-
-  SurfacePoint pointOf(const HeightPolynomial& h) const {
-    // r(u, v) = p + unit (u e1 + v e2 + h n), at u = v = 0, e1 and e2 of length 1.
-    const Vector3d e1 = e1_ * unit_, e2 = e2_ * unit_;
-    const double twice = 1.0 / unit_, thrice = twice * twice;
-    SurfaceJet jet;
-    jet.p = p_ + unit_ * h.at(0, 0) * n_;
-    jet.u = e1 + h.at(1, 0) * n_;
-    jet.v = e2 + h.at(0, 1) * n_;
-    jet.uu = 2.0 * twice * h.at(2, 0) * n_;
-    jet.uv = twice * h.at(1, 1) * n_;
-    jet.vv = 2.0 * twice * h.at(0, 2) * n_;
-    jet.uuu = 6.0 * thrice * h.at(3, 0) * n_;
-    jet.uuv = 2.0 * thrice * h.at(2, 1) * n_;
-    jet.uvv = 2.0 * thrice * h.at(1, 2) * n_;
-    jet.vvv = 6.0 * thrice * h.at(0, 3) * n_;
-    return surfacePointOf(jet);
-  }
-
- private:
-  void addRing(int k) {
-    HeightSums& sums = sums_.emplace_back();
-    for (const std::uint32_t q : rings_.ring(k)) {
-      const double c = n_.dot(normals_[q]);
-      if (c <= 0.0) continue;
-      const Vector3d d = mesh_.position(q).cast<double>() - p_;
-      sums.add(d.dot(e1_), d.dot(e2_), d.dot(up_), c * c);
-    }
-  }
-
-  const TriangleMesh& mesh_;
-  const std::vector<Vector3d>& normals_;
-  VertexRings rings_;
-  Vector3d n_, p_, e1_, e2_, up_;
-  double unit_ = 1.0;
-  std::vector<HeightSums> sums_;
-};
-
-double rms(const HeightSums& sums, const HeightPolynomial& h) {
-  return std::sqrt(squaredResiduals(sums, h) / sums.powers[0]);
-}
-
-// Root mean square distance of vertices from their smooth surface, as far as the mesh can tell.
+// Root mean square distance of the vertices from a smooth surface, in the mesh's unit, where the
+// mesh has no features.
 double noiseOf(const TriangleMesh& mesh, LocalFit& fit) {
   constexpr std::size_t kSamples = 4000;
-  const std::size_t step = std::max<std::size_t>(1, mesh.vertexCount() / kSamples);
+  const std::size_t step = 1 + mesh.vertexCount() / kSamples;
   std::vector<double> noise;
   for (std::size_t v = 0; v < mesh.vertexCount(); v += step) {
-    if (!fit.startAt(static_cast<std::uint32_t>(v)) || !fit.growTo(3)) continue;
-    const HeightSums sums = fit.within(3);
-    const HeightPolynomial h = fitHeight(sums, 4);
-    const double spare = sums.points - static_cast<double>(HeightPolynomial::sizeOf(h.degree));
-    if (spare < 5) continue;
-    noise.push_back(fit.unit() * rms(sums, h) * std::sqrt(sums.points / spare));
+    if (!fit.startAt(static_cast<std::uint32_t>(v)) || !fit.growTo(kFirst)) continue;
+    const HeightPolynomial h = fit.over(kFirst);
+    const double points = fit.points(kFirst);
+    const double spare = points - static_cast<double>(HeightPolynomial::sizeOf(h.degree));
+    if (spare < 5.0) continue;
+    noise.push_back(fit.edge() * fit.misses(h, kFirst).all * std::sqrt(points / spare));
   }
-  if (noise.empty()) return 0.0;
-  const auto middle = noise.begin() + static_cast<std::ptrdiff_t>(noise.size() / 2);
-  std::nth_element(noise.begin(), middle, noise.end());
-  return *middle;
+  if (noise.empty()) return kRounding;
+  const auto at =
+      noise.begin() + static_cast<std::ptrdiff_t>(kPlainShare * static_cast<double>(noise.size()));
+  std::nth_element(noise.begin(), at, noise.end());
+  return std::max(*at, kRounding);
+}
+
+// The options without what has been told or asked for the whole: the one-ring as a part of it.
+FieldOptions quiet(FieldOptions options) {
+  options.scale = 1.0;
+  options.progress = {};
+  return options;
+}
+
+// The number of rings for a vertex.
+float sizeAt(LocalFit& fit, double noise) {
+  const double noiseInEdges = noise / fit.edge(), allowed = kNoiseTimes * noiseInEdges;
+  fit.growTo(kFirst);
+  HeightPolynomial h = fit.over(kFirst);
+  const auto [missed, worst] = fit.misses(h, kFirst);
+  if (worst > std::max(allowed, kUnresolvedMiss)) return kUnresolved;
+  int size = kFirst;
+  while (worst <= allowed && size < kLargest &&
+         noiseInEdges * std::sqrt(h.thirdVariance) > kDisplacement * h.fourthNorm() &&
+         fit.growTo(size + 1)) {
+    const HeightPolynomial wider = fit.over(size + 1);
+    if (fit.misses(wider, size + 1).worstRing > allowed) break;
+    h = wider;
+    ++size;
+  }
+  if (size > kFirst) return static_cast<float>(size);
+  const HeightPolynomial smaller = fit.over(kSmallest);
+  const bool better =
+      smaller.degree == h.degree &&
+      std::max(noiseInEdges, kTwoRingsShare * missed) * std::sqrt(smaller.thirdVariance) <
+          std::max(noiseInEdges, missed) * std::sqrt(h.thirdVariance);
+  return static_cast<float>(better ? kSmallest : kFirst);
+}
+
+// Vertices no two of which are neighbours and that leave no room for more: about every third. Sizes
+// are chosen there and spread, which costs less than choosing everywhere and makes them change
+// slowly from vertex to vertex; where they jump, lines break.
+std::vector<char> sparseVertices(const VertexNeighbours& neighbours) {
+  std::vector<char> chosen(neighbours.onCrease.size(), 1);
+  for (std::uint32_t v = 0; v < chosen.size(); ++v) {
+    if (!chosen[v]) continue;
+    for (const std::uint32_t q : neighbours.of(v)) chosen[q] = 0;
+  }
+  return chosen;
+}
+
+// Means over the vertex and its neighbours, of those that have a size.
+std::vector<float> spread(const std::vector<float>& sizes, const VertexNeighbours& neighbours) {
+  std::vector<float> means(sizes.size());
+  for (std::uint32_t v = 0; v < sizes.size(); ++v) {
+    float sum = 2.0f * sizes[v], weight = sizes[v] > 0.0f ? 2.0f : 0.0f;
+    for (const std::uint32_t q : neighbours.of(v)) {
+      sum += sizes[q];
+      weight += sizes[q] > 0.0f ? 1.0f : 0.0f;
+    }
+    means[v] = weight > 0.0f ? sum / weight : 0.0f;
+  }
+  return means;
+}
+
+// (1 - t) a + t b, in the frame of b.
+SurfacePoint mixed(const SurfacePoint& a, const SurfacePoint& b, double t) {
+  SurfacePoint mix = b;
+  const Eigen::Matrix2d turn = b.frame.transpose() * a.frame;
+  const Eigen::Vector2d e1 = turn.row(0), e2 = turn.row(1);
+  mix.n = ((1.0 - t) * a.n + t * b.n).normalized();
+  mix.frame.col(0) = (b.frame.col(0) - mix.n * mix.n.dot(b.frame.col(0))).normalized();
+  mix.frame.col(1) = mix.n.cross(Eigen::Vector3d(mix.frame.col(0)));
+  mix.K = (1.0 - t) * turn * a.K * turn.transpose() + t * b.K;
+  const double C[4] = {a.C(e1, e1, e1), a.C(e1, e1, e2), a.C(e1, e2, e2), a.C(e2, e2, e2)};
+  for (std::size_t i = 0; i < 4; ++i)
+    mix.C.coefficients[i] = (1.0 - t) * C[i] + t * b.C.coefficients[i];
+  return mix;
 }
 
 }  // namespace
 
 SurfaceFields jetFields(const TriangleMesh& mesh, const FieldOptions& options) {
-  const std::vector<Vector3d> normals = vertexNormals(mesh, options);
+  const Normals normals = vertexNormals(mesh, options);
   if (normals.empty()) return {};
   const VertexNeighbours neighbours(mesh);
-  double noise;
-  {
+  const double noise = [&] {
     LocalFit fit(mesh, neighbours, normals);
-    noise = std::max(kRounding, noiseOf(mesh, fit));
-  }
-  SurfaceFields fields;
-  fields.resize(mesh.vertexCount());
-  fields.size = surfaceSize(mesh);
-  const auto makeWorker = [&] {
+    return noiseOf(mesh, fit);
+  }();
+
+  std::vector<float> sizes(mesh.vertexCount(), 0.0f);
+  const std::vector<char> sparse = sparseVertices(neighbours);
+  const auto choose = [&] {
     return
         [&, fit = LocalFit(mesh, neighbours, normals)](std::size_t begin, std::size_t end) mutable {
-          for (std::size_t i = begin; i < end; ++i) {
-            const auto v = static_cast<std::uint32_t>(i);
-            if (!fit.startAt(v)) continue;
-            const double allowed = kTolerance * noise / fit.unit();
-            int rings = kLeastRings;
-            fit.growTo(kLeastRings);
-            HeightPolynomial best;
-            bool have = false;
-            for (int k = kBaseRings; k <= kMostRings && fit.growTo(k); ++k) {
-              const HeightSums sums = fit.within(k);
-              const HeightPolynomial h = fitHeight(sums, 4);
-              bool holds = true;
-              for (int r = 1; r <= k && holds; ++r)
-                holds = fit.ring(r).points == 0 || rms(fit.ring(r), h) <= allowed;
-              if (!holds && k > kLeastRings) break;
-              best = h;
-              have = true;
-              rings = k;
-              const double quartic =
-                  24.0 * std::sqrt(h.at(4, 0) * h.at(4, 0) + h.at(0, 4) * h.at(0, 4) +
-                                   0.5 * h.at(2, 2) * h.at(2, 2));
-              const double cubicError = 24.0 * noise / fit.unit() / std::pow(k, 4);
-              if (cubicError <= kGoal * quartic) break;
-            }
-            if (options.scale > 1.0) {
-              rings = std::min(kWidestRings, static_cast<int>(std::lround(rings * options.scale)));
-              fit.growTo(rings);
-              have = false;
-            }
-            if (!have) best = fitHeight(fit.within(rings), 4);
-            fields.set(v, fit.pointOf(best));
+          for (std::size_t v = begin; v < end; ++v) {
+            if (sparse[v] && fit.startAt(static_cast<std::uint32_t>(v)))
+              sizes[v] = sizeAt(fit, noise);
           }
         };
   };
-  if (!overBlocks(mesh.vertexCount(), options, 0.05, 1.0, makeWorker)) return {};
+  if (!overBlocks(sizes.size(), options, 0.05, 0.4, choose)) return {};
+  sizes = spread(spread(sizes, neighbours), neighbours);
+
+  const auto isSmall = [&](float size) { return size * options.scale < kSmallest; };
+  SurfaceFields fields;
+  if (std::any_of(sizes.begin(), sizes.end(), isSmall)) {
+    fields = oneRingFields(mesh, quiet(options));
+    if (fields.vertexCount() == 0) return {};
+  } else {
+    fields.resize(sizes.size());
+    fields.size = surfaceSize(mesh);
+  }
+  const auto write = [&] {
+    return [&, fit = LocalFit(mesh, neighbours, normals)](std::size_t begin,
+                                                          std::size_t end) mutable {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto v = static_cast<std::uint32_t>(i);
+        if (!fit.startAt(v)) continue;
+        const double size = sizes[v] * options.scale;
+        const SurfacePoint point =
+            fit.pointOf(fit.over(std::clamp<double>(size, kSmallest, kWidest)));
+        const double share = std::clamp((size - kUnresolved) / (kSmallest - kUnresolved), 0.0, 1.0);
+        fields.set(v, share < 1.0 ? mixed(fields.at(mesh, v), point, share) : point);
+      }
+    };
+  };
+  if (!overBlocks(sizes.size(), options, 0.4, 1.0, write)) return {};
   return fields;
 }
 
