@@ -2,6 +2,7 @@
 #include "core3d/io/gltf_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -95,14 +96,46 @@ void checkExtensions(const Json& all, const std::string& source) {
   }
 }
 
-// Everything that recursive code might visit without being asked.
-void leaveOutExtras(Json& value) {
+// TinyGLTF passes over a number that is no whole one, takes 2^32 for 0, and what is no list for an
+// empty one; each would read another mesh than the file's.
+void checkNumbers(Json& object, const std::string& source) {
+  constexpr std::string_view kWhole[] = {"buffer",     "bufferView",    "byteLength", "byteOffset",
+                                         "byteStride", "componentType", "count",      "indices",
+                                         "mesh",       "mode",          "scene"};
+  constexpr double kMost = 4294967295.0;  // and no file is longer
+  for (const std::string_view key : kWhole) {
+    const auto found = object.find(key);
+    if (found == object.end() || found->is_structured()) continue;
+    const double value = found->is_number() ? found->get<double>() : -1.0;
+    if (!(value >= 0.0 && value <= kMost && value == std::floor(value))) {
+      throw InputError(source, "",
+                       inQuotes(key) + " is not a whole number from 0 to 2^32 - 1: " +
+                           inQuotes(found->dump(-1, ' ', true)));
+    }
+    *found = static_cast<std::uint64_t>(value);
+  }
+}
+
+void checkLists(const Json& all, const std::string& source) {
+  for (const auto& [key, list] : all.items()) {
+    if (key == "asset" || key == "scene") continue;
+    if (!list.is_array()) throw InputError(source, "", inQuotes(key) + " is no list");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].is_object()) continue;
+      throw InputError(source, key + "[" + std::to_string(i) + "]", "is no object");
+    }
+  }
+}
+
+// Leaves out everything that recursive code might visit without being asked.
+void tidy(Json& value, const std::string& source) {
   if (value.is_object()) {
     value.erase("extras");
     value.erase("extensions");
+    checkNumbers(value, source);
   }
   if (value.is_structured()) {
-    for (Json& child : value) leaveOutExtras(child);
+    for (Json& child : value) tidy(child, source);
   }
 }
 
@@ -123,6 +156,8 @@ GltfFile openGltf(std::string_view bytes, const std::string& source) {
     all = Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw InputError(source, "byte " + std::to_string(error.byte), "the JSON is malformed");
+  } catch (const Json::out_of_range&) {
+    throw InputError(source, "", "the JSON has a number that is too large");
   }
   if (!all.is_object()) throw InputError(source, "", "the JSON is no glTF object");
   checkExtensions(all, source);
@@ -131,7 +166,8 @@ GltfFile openGltf(std::string_view bytes, const std::string& source) {
        {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers"}) {
     if (const auto found = all.find(key); found != all.end()) kept[key] = std::move(*found);
   }
-  leaveOutExtras(kept);
+  checkLists(kept, source);
+  tidy(kept, source);
   // Only the first buffer of a GLB may be its own chunk; more would each get a copy of it.
   const auto buffers = kept.find("buffers");
   if (buffers != kept.end() && buffers->is_array()) {

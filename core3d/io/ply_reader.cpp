@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "core3d/io/binary_bytes.h"
 #include "core3d/io/ply_header.h"
@@ -10,6 +12,12 @@
 namespace flatland {
 
 namespace {
+
+// A whole number of any size, also one that no integer type holds.
+std::string wholeText(double whole) {
+  char text[32];
+  return {text, std::to_chars(text, std::end(text), whole, std::chars_format::fixed).ptr};
+}
 
 // The data of a text file: one element a line.
 class AsciiData {
@@ -227,7 +235,7 @@ class PlyReader {
         }
         if (!(index >= 0.0 && index < static_cast<double>(vertices_))) {
           data_.fail("'" + element.name + "' " + std::to_string(i) + " uses vertex " +
-                     std::to_string(static_cast<std::int64_t>(index)) + ", but they are 0 to " +
+                     wholeText(index) + ", but they are 0 to " +
                      std::to_string(static_cast<std::int64_t>(vertices_) - 1));
         }
         corners_.push_back(static_cast<std::uint32_t>(index));

@@ -153,6 +153,9 @@ TEST(Gltf, WhatIsWrongIsSaid) {
   EXPECT_EQ(
       withAccessor(
           R"({"bufferView":0,"componentType":5126,"count":1537228672809129302,"type":"VEC3"})"),
+      "file: 'count' is not a whole number from 0 to 2^32 - 1: '1537228672809129302'");
+  EXPECT_EQ(
+      withAccessor(R"({"bufferView":0,"componentType":5126,"count":4294967295,"type":"VEC3"})"),
       beyond);
   EXPECT_EQ(withAccessor(R"({"bufferView":2,"componentType":5126,"count":4,"type":"VEC3"})"),
             "file: accessors[0]: has no buffer");
