@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""make_corpus.py FOLDER: small valid files of every form that the mesh readers know, one folder for
-each format, as first inputs for the fuzzers."""
+"""make_corpus.py FOLDER SOURCES: small valid files of every form that the readers know, one folder for
+each, as first inputs for the fuzzers."""
 import json
 import pathlib
 import struct
 import sys
 
+SOURCES = pathlib.Path(sys.argv[2])
 POINTS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.5)]
 FACES = [(0, 1, 2), (0, 1, 2, 3)]
 
@@ -70,9 +71,50 @@ def gltf():
     yield "text", json.dumps(scene).encode()
 
 
+def scene():
+    points = [[-2, -1], [-1, 2], [0, -2], [1, 2], [2, -1]]
+    shapes = {
+        "bezier": {"bezier": points},
+        "chain": {"chain": {"degree": 2, "closed": False, "points": points}},
+        "bspline": {"bspline": {"degree": 2, "closed": True, "points": points, "knots": [0, 1, 2, 3.5, 4, 5]}},
+        "rational": {"rational": {"degree": 2, "closed": False, "points": points, "weights": [1, 2, 1, 0.5, 1]}},
+        "family": {"family": {"name": "ellipse", "parameters": {"a": 1, "b": 1.5}, "at": [1, 2]}},
+        "formula": {"formula": {"x": "a*cos(t)", "y": "sin(t)^2", "from": "0", "to": "2*pi", "constants": {"a": 2}}}}
+    for name, shape in shapes.items():
+        view = {"angleDeg": 60, "distance": None if name == "bezier" else 9}
+        yield name, json.dumps({"flatland": 2, "curves": [{**shape, "flipNormal": True}], "view": view}).encode()
+
+
+def svg():
+    yield "shapes", (b'<svg xmlns="http://www.w3.org/2000/svg" width="9mm" viewBox="0 0 9 9"><style>.a{display:none}</style>'
+                     b'<g transform="rotate(3 1 1)"><rect id="r" width="3" height="2" rx="1"/><circle r="2"/>'
+                     b'<ellipse class="a" rx="2" ry="1"/><use href="#r" x="2"/></g><line x2="2" stroke="red"/>'
+                     b'<polygon points="0,0 1 0 1,1"/><path d="M0 0A2 1 9 0 1 3 4z"/></svg>')
+    for file in sorted((SOURCES / "tests/data/svg").glob("*.svg")):
+        yield file.stem, file.read_bytes()
+
+
+def path():
+    yield "path", b"M1 2l3-4.5e0H4V5C1 2 3 4 5 6S1 2 3 4Q1 2 3 4T5 6a1 2 30 0 1 3 4zm1,1 2,2"
+    yield "transform", b"translate(3) rotate(45 1 2) skewX(3) scale(2,1) matrix(1 0 0 1 2 3)"
+    yield "points", b"1,2 3 4"
+    yield "length", b"3.5mm"
+
+
+def lesson():
+    for file in sorted((SOURCES / "ui/lesson/lessons").rglob("*.md")):
+        yield file.parent.name + file.stem, file.read_bytes()
+
+
+def formula():
+    for i, text in enumerate(["a*sin(2*t)^-2 + exp(-t^2/2)", "atan2(t, 1) - hypot(t, pow(t, 3)) / log10(e + t)",
+                              "-(((1.5e-3 + t)))^2*sqrt(abs(acosh(t)))"]):
+        yield str(i), text.encode()
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
-    for form in ply, obj, off, stl, gltf:
+    for form in ply, obj, off, stl, gltf, scene, svg, path, lesson, formula:
         folder = root / form.__name__
         folder.mkdir(parents=True, exist_ok=True)
         for name, content in form():

@@ -5,7 +5,7 @@
 set -euo pipefail
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)"
 seconds="${1:-60}"
-readers=(ply obj stl off gltf)
+readers=(ply obj stl off gltf scene svg path lesson formula)
 if [ $# -gt 1 ]; then readers=("${@:2}"); fi
 
 compiler="$(command -v clang++-14 || command -v clang++)"
@@ -15,7 +15,7 @@ cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COM
   -DFLATLAND_FUZZ=ON -DFLATLAND_GUI=OFF -DFLATLAND_BENCH=OFF >"$build/configure.log" 2>&1 ||
   { cat "$build/configure.log"; exit 1; }
 cmake --build "$build" --target "${readers[@]/#/fuzz_}"
-python3 "$root/tests/fuzz/make_corpus.py" "$build/first"
+python3 "$root/tests/fuzz/make_corpus.py" "$build/first" "$root"
 mkdir -p "$build/findings"
 for reader in "${readers[@]}"; do
   mkdir -p "$build/corpus/$reader"
