@@ -51,6 +51,10 @@ allowed() {
     core3d/io/*_json.cpp)
       [[ $include == '"core3d/'* || $include == '"flatland/'* || $include == '<nlohmann/'* || $include =~ $std ]] ||
         { echo "the JSON readers may use core3d, flatland, std and nlohmann_json"; return 1; } ;;
+    core3d/*.cpp)
+      [[ $include == '"core3d/'* || $include == '"flatland/'* || $include == '<Eigen/'* ||
+        $include == '<hwy/'* || $include == '<embree3/'* || $include =~ ^\<[xp]mmintrin\.h\>$ || $include =~ $std ]] ||
+        { echo "the sources of core3d may use core3d, flatland, Eigen, std, Highway, Embree and what sets the processor up for it"; return 1; } ;;
     core3d/*)
       [[ $include == '"core3d/'* || $include == '"flatland/'* || $include == '<Eigen/'* ||
         $include =~ $std ]] ||
