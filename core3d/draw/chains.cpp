@@ -25,6 +25,7 @@ struct Piece {
   std::uint32_t level;
   LineEnd low, high;
   std::uint32_t triangle;
+  bool standsOut;
 
   const LineEnd& end(End e) const { return e % 2 == 0 ? low : high; }
 };
@@ -62,7 +63,7 @@ std::vector<Piece> piecesOf(std::span<const LineSegment> segments) {
   std::vector<Piece> pieces;
   pieces.reserve(segments.size());
   for (const LineSegment& s : segments) {
-    Piece piece{s.level, s.a, s.b, s.triangle};
+    Piece piece{s.level, s.a, s.b, s.triangle, s.standsOut};
     piece.low.node = merged.find(s.level, s.a.node);
     piece.high.node = merged.find(s.level, s.b.node);
     if (piece.low.node == piece.high.node) continue;
@@ -166,6 +167,7 @@ class Joiner {
       used_[e / 2] = true;
       chain.strength.back() = std::max(chain.strength.back(), endOf(e).strength);
       chain.triangles.push_back(pieces_[e / 2].triangle);
+      chain.standsOut.push_back(pieces_[e / 2].standsOut);
       chain.points.push_back(endOf(e ^ 1u).at);
       chain.strength.push_back(endOf(e ^ 1u).strength);
     }

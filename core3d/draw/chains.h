@@ -18,6 +18,7 @@ struct LineChain {
   std::vector<float> strength;          ///< of each point
   /// The triangle of the piece from point i to the next; as many as there are pieces.
   std::vector<std::uint32_t> triangles;
+  std::vector<bool> standsOut;  ///< of each piece, see LineSegment
 
   std::size_t pieceCount() const { return closed ? points.size() : points.size() - 1; }
 };

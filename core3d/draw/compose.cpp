@@ -199,7 +199,7 @@ class InkSolver {
     for (const SeenChain& chain : chains_) {
       const double threshold = strokes_.threshold(chain.line.chain.family);
       if (!(threshold > 0.0)) continue;
-      const auto& s = chain.line.chain.strength;
+      const auto& s = chain.line.judged;
       most = std::max(most, static_cast<double>(*std::max_element(s.begin(), s.end())) / threshold);
     }
     return most * (1.0 + kFactorPrecision);
@@ -274,6 +274,7 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
 
 LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes) {
   LineOptions asked = lines;
+  asked.flatToo = true;
   const double factor = strokes.ink ? 0.0 : strokes.hysteresis;
   for (double& threshold : asked.threshold) threshold *= factor;
   if (lines[LineFamily::ExteriorSilhouette]) {

@@ -14,6 +14,11 @@ using Eigen::Vector2d;
 constexpr double kSamplePx = 1.0;
 constexpr double kPlacePx = 1.0 / 32.0;  // far below what an antialiased line shows
 
+// See ScreenChain::judged. Single segments fail and pass by accident where a scan is rough; along a
+// clear line they seldom fail for long.
+constexpr double kJudgedPx = 12.0;
+constexpr double kEnoughStandsOut = 0.3;
+
 // A part of a chain, from point to point; `to` may run past the end of a closed one.
 LineChain part(const LineChain& chain, std::size_t from, std::size_t to) {
   LineChain result;
@@ -23,9 +28,45 @@ LineChain part(const LineChain& chain, std::size_t from, std::size_t to) {
   for (std::size_t i = from; i <= to; ++i) {
     result.points.push_back(chain.points[i % n]);
     result.strength.push_back(chain.strength[i % n]);
-    if (i < to) result.triangles.push_back(chain.triangles[i % n]);
+    if (i == to) continue;
+    result.triangles.push_back(chain.triangles[i % n]);
+    if (!chain.standsOut.empty()) result.standsOut.push_back(chain.standsOut[i % n]);
   }
   return result;
+}
+
+void judge(ScreenChain& line) {
+  const LineChain& chain = line.chain;
+  line.judged = chain.strength;
+  if (std::find(chain.standsOut.begin(), chain.standsOut.end(), false) == chain.standsOut.end()) {
+    return;
+  }
+  // Length that stands out, from the first point to each.
+  std::vector<double> clear = {0.0};
+  for (std::size_t i = 0; i < chain.standsOut.size(); ++i) {
+    clear.push_back(clear.back() + (chain.standsOut[i] ? line.along[i + 1] - line.along[i] : 0.0));
+  }
+  const double length = line.length();
+  const auto clearTo = [&](double place) {
+    const auto after = std::upper_bound(line.along.begin(), line.along.end() - 1, place);
+    const auto next = static_cast<std::size_t>(after - line.along.begin());
+    if (next == 0) return 0.0;
+    const bool clearPiece = chain.standsOut[next - 1];
+    return clear[next - 1] + (clearPiece ? place - line.along[next - 1] : 0.0);
+  };
+  const double half = std::min(kJudgedPx, length / 2.0);
+  for (std::size_t i = 0; i < line.judged.size(); ++i) {
+    double from = line.along[i] - half, to = line.along[i] + half, sum = 0.0, size = 2.0 * half;
+    if (chain.closed) {
+      if (from < 0.0) sum += clear.back() - clearTo(from + length);
+      if (to > length) sum += clearTo(to - length);
+    } else {
+      size = std::min(to, length) - std::max(from, 0.0);
+    }
+    sum += clearTo(std::min(to, length)) - clearTo(std::max(from, 0.0));
+    const double share = size > 0.0 ? sum / size : 0.0;
+    line.judged[i] *= static_cast<float>(std::min(1.0, share / kEnoughStandsOut));
+  }
 }
 
 ScreenChain measured(LineChain chain, const std::vector<std::optional<Vector2d>>& places) {
@@ -40,6 +81,7 @@ ScreenChain measured(LineChain chain, const std::vector<std::optional<Vector2d>>
   if (result.chain.closed) {
     result.along.push_back(along + (result.screen.front() - result.screen.back()).norm());
   }
+  judge(result);
   return result;
 }
 

@@ -18,6 +18,10 @@ struct ScreenChain {
   std::vector<Eigen::Vector2d> screen;  ///< px, of each point
   std::vector<double> along;            ///< place of each point; on a closed chain also of the
                                         ///< first point when it is reached again
+  /// What strokes are filtered by, of each point: the strength, less where pieces around do not
+  /// stand out (LineSegment::standsOut): in full if three tenths of the line within 12 px to either
+  /// side stand out, in proportion if less.
+  std::vector<float> judged;
 
   double length() const { return along.back(); }
 

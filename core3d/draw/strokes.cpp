@@ -97,7 +97,7 @@ std::vector<std::pair<double, double>> strongStretches(const ScreenChain& chain,
   if (!(threshold > 0.0)) return {{0.0, length}};
   const Places places{chain};
   const auto strength = [&](std::size_t i) {
-    return static_cast<double>(chain.chain.strength[places.point(i)]);
+    return static_cast<double>(chain.judged[places.point(i)]);
   };
   const double low = hysteresis * threshold;
   // A closed chain is walked once round from a weak point, so that no stretch is cut at the start.
@@ -106,7 +106,7 @@ std::vector<std::pair<double, double>> strongStretches(const ScreenChain& chain,
   if (chain.chain.closed) {
     while (start < pieces && strength(start) >= low) ++start;
     if (start == pieces) {
-      const auto& all = chain.chain.strength;
+      const auto& all = chain.judged;
       if (*std::max_element(all.begin(), all.end()) < threshold) return {};
       return {{0.0, length}};
     }

@@ -37,7 +37,7 @@ void addApparentRidge(const Sight& sight, std::uint32_t triangle, Segments& out)
   };
   if (sight.options.unfiltered) {
     addOriented(
-        sight.mesh, triangle, face, false, 0.0f, strengthAt,
+        sight.mesh, triangle, face, false, false, 0.0f, strengthAt,
         [](const Eigen::Vector3f&, const Eigen::Vector3f&) { return true; }, out);
     return;
   }
@@ -56,7 +56,8 @@ void addApparentRidge(const Sight& sight, std::uint32_t triangle, Segments& out)
     for (std::size_t k = 0; k < 3; ++k) face.slope[k] = screenSlope(seen, v[k]);
   }
   addOriented(
-      sight.mesh, triangle, face, true, sight.threshold(LineFamily::ApparentRidges), strengthAt,
+      sight.mesh, triangle, face, true, sight.options.flatToo,
+      sight.threshold(LineFamily::ApparentRidges), strengthAt,
       [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
         return Contrast::mayFall(fallOfDerivative(face, derivative, a, b), curvature, reach) &&
                standsOut(field, triangle, 0.5f * (a + b), reach);

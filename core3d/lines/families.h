@@ -73,12 +73,12 @@ void addPiece(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint 
               std::uint32_t level = 0);
 
 /// The maxima among the oriented crossings of a triangle, or all of them. `strengthAt(a, b, t)` is
-/// the strength between two vertices, `accepts(a, b)` has the last word on a piece between two
-/// places.
+/// the strength between two vertices, `standsOut(a, b)` has the last word on a piece between two
+/// places, or with `flatToo` marks it.
 template <typename Strength, typename Accepts>
 void addOriented(const TriangleMesh& mesh, std::uint32_t triangle, const OrientedFace& face,
-                 bool maximaOnly, float threshold, const Strength& strengthAt,
-                 const Accepts& accepts, Segments& out) {
+                 bool maximaOnly, bool flatToo, float threshold, const Strength& strengthAt,
+                 const Accepts& standsOut, Segments& out) {
   const Crossings found = orientedCrossings(face);
   if (found.count == 0 || (maximaOnly && !directionsAgree(face))) return;
   const auto& v = mesh.triangles[triangle];
@@ -93,8 +93,8 @@ void addOriented(const TriangleMesh& mesh, std::uint32_t triangle, const Oriente
     const auto& [a, b, unused] = ends;
     if (!(std::max(a.strength, b.strength) >= threshold)) return;
     if (maximaOnly && !isMaximum(face, a.at, b.at)) return;
-    if (!accepts(a.at, b.at)) return;
-    out.push_back({a, b, triangle});
+    const bool clear = standsOut(a.at, b.at);
+    if (clear || flatToo) out.push_back({a, b, triangle, 0, clear});
     return;
   }
   const LineEnd middle{(face.p[0] + face.p[1] + face.p[2]) / 3.0f,
@@ -106,7 +106,8 @@ void addOriented(const TriangleMesh& mesh, std::uint32_t triangle, const Oriente
     if (maximaOnly && !(pointsTowards(face.p[a], face.r[a], ends[i].at, middle.at) &&
                         pointsTowards(face.p[b], face.r[b], ends[i].at, middle.at)))
       continue;
-    if (accepts(ends[i].at, middle.at)) out.push_back({ends[i], middle, triangle});
+    const bool clear = standsOut(ends[i].at, middle.at);
+    if (clear || flatToo) out.push_back({ends[i], middle, triangle, 0, clear});
   }
 }
 

@@ -33,6 +33,7 @@ struct LineSegment {
   LineEnd a, b;
   std::uint32_t triangle;   ///< it lies in
   std::uint32_t level = 0;  ///< of isophotes and topographic lines, from 0
+  bool standsOut = true;    ///< see LineOptions::flatToo
 };
 
 /// How the derivative of lambda along t_A is found.
@@ -50,6 +51,10 @@ struct LineOptions {
   /// Every crossing of the defining equation, also where it is no maximum, on the side turned away,
   /// or weak: to see what the filters do.
   bool unfiltered = false;
+  /// Maxima whose curvature hardly falls on one side are given too, with LineSegment::standsOut =
+  /// false: for whoever joins segments and judges the stroke. Noise makes single segments of a
+  /// clear line fail.
+  bool flatToo = false;
   RidgeDerivative derivative = RidgeDerivative::ClosedForm;
   int isophoteLevels = 10;                                   ///< of n.w between 0 and 1, >= 1
   int topographicLevels = 20;                                ///< between lowest and highest, >= 1

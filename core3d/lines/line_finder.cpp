@@ -91,6 +91,7 @@ void LineFinder::State::addFixed(LineFamily family, const LineOptions& options, 
   }
   const auto least = static_cast<float>(options.thresholdOf(family));
   for (const LineSegment& segment : kept->segments) {
+    if (!segment.standsOut && !options.flatToo) continue;
     if (std::max(segment.a.strength, segment.b.strength) >= least) out.push_back(segment);
   }
 }

@@ -50,7 +50,7 @@ void addPrincipalHighlight(const Sight& sight, const SeenVertices& highlights,
   }
   const bool all = sight.options.unfiltered;
   addOriented(
-      sight.mesh, triangle, face, !all,
+      sight.mesh, triangle, face, !all, false,
       all ? 0.0f : sight.threshold(LineFamily::PrincipalHighlights),
       [&](std::uint32_t a, std::uint32_t b, float t) {
         return sight.size() * (highlights.root[a] + t * (highlights.root[b] - highlights.root[a]));

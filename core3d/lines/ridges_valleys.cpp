@@ -49,8 +49,8 @@ Segments findRidges(const TriangleMesh& mesh, const SurfaceFields& fields, bool 
       return here > there || unfiltered ? size * here : -1.0f;
     };
     addOriented(
-        mesh, t, face, !unfiltered, unfiltered ? -std::numeric_limits<float>::infinity() : 0.0f,
-        strengthAt,
+        mesh, t, face, !unfiltered, true,
+        unfiltered ? -std::numeric_limits<float>::infinity() : 0.0f, strengthAt,
         [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
           if (unfiltered) return true;
           const float curvature = (value[v[0]] + value[v[1]] + value[v[2]]) / 3.0f;
