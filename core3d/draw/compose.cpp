@@ -53,6 +53,9 @@ bool mayBeOutline(LineFamily family) {
   return family == LineFamily::OccludingContours || family == LineFamily::Boundaries;
 }
 
+// The threshold of creases is an angle that says what an edge is, and not how much is drawn.
+bool movesWithInk(LineFamily family) { return family != LineFamily::Creases; }
+
 std::size_t indexOf(LineFamily family) { return static_cast<std::size_t>(family); }
 
 // What is seen at the places of one chain.
@@ -127,7 +130,7 @@ class Strokes {
     std::vector<StrokePart> all;
     for (std::size_t i = 0; i < chains_.size(); ++i) {
       const LineFamily family = chains_[i].line.chain.family;
-      const StrokeFilter filter{factor * threshold(family),
+      const StrokeFilter filter{(movesWithInk(family) ? factor : 1.0) * threshold(family),
                                 lines_.unfiltered ? 0.0 : options_.minLengthPx};
       for (const StrokePart& part : strokeParts(chains_[i], i, filter, options_.hysteresis)) {
         if (isDrawn(family, part.seen)) all.push_back(part);
@@ -198,7 +201,7 @@ class InkSolver {
     double most = 0.0;
     for (const SeenChain& chain : chains_) {
       const double threshold = strokes_.threshold(chain.line.chain.family);
-      if (!(threshold > 0.0)) continue;
+      if (!(threshold > 0.0) || !movesWithInk(chain.line.chain.family)) continue;
       const auto& s = chain.line.judged;
       most = std::max(most, static_cast<double>(*std::max_element(s.begin(), s.end())) / threshold);
     }
@@ -275,8 +278,10 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
 LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes) {
   LineOptions asked = lines;
   asked.flatToo = true;
-  const double factor = strokes.ink ? 0.0 : strokes.hysteresis;
-  for (double& threshold : asked.threshold) threshold *= factor;
+  for (const LineFamily family : allLineFamilies()) {
+    asked.threshold[indexOf(family)] *=
+        strokes.ink && movesWithInk(family) ? 0.0 : strokes.hysteresis;
+  }
   if (lines[LineFamily::ExteriorSilhouette]) {
     asked[LineFamily::OccludingContours] = true;
     asked[LineFamily::Boundaries] = true;
@@ -294,8 +299,8 @@ Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Proj
   std::vector<SeenChain> chains;
   for (const LineFamily family : allLineFamilies()) {
     drawing.stats.segments += found.of(family).size();
-    const double threshold =
-        lines.unfiltered || strokes.ink ? 0.0 : lines.threshold[indexOf(family)];
+    const bool all = lines.unfiltered || (strokes.ink && movesWithInk(family));
+    const double threshold = all ? 0.0 : lines.threshold[indexOf(family)];
     for (LineChain& chain : chainSegments(family, found.of(family))) {
       for (ScreenChain& line : onScreen(std::move(chain), projection)) {
         // What cannot become a stroke need not be looked at.

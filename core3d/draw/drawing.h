@@ -36,7 +36,8 @@ struct StrokeOptions {
   double smallestGapPx =
       3.0;  ///< visibility that changes for less than that along a stroke is smoothed over
   /// Share of the picture's pixels to be covered with ink at `inkWidthPx`: one factor on the
-  /// thresholds of all families with a threshold is solved for. Empty: thresholds as given.
+  /// thresholds of all families with a threshold but creases is solved for. Empty: thresholds as
+  /// given.
   std::optional<double> ink = {};
   double inkWidthPx = 1.5;
   std::stop_token stop = {};

@@ -346,8 +346,8 @@ TEST(Sight, BackEdgesOfABoxAreHidden) {
     const Eigen::Vector3f step = mesh.position(b) - mesh.position(a);
     if ((step.array() != 0.0f).count() != 1) continue;  // a diagonal
     found.of(LineFamily::Creases)
-        .push_back({{mesh.position(a), 2.0f, vertexNode(a)},
-                    {mesh.position(b), 2.0f, vertexNode(b)},
+        .push_back({{mesh.position(a), 90.0f, vertexNode(a)},
+                    {mesh.position(b), 90.0f, vertexNode(b)},
                     h / 3});
   }
   Random random(announcedSeed("BackEdgesOfABoxAreHidden", 7));

@@ -356,7 +356,7 @@ struct Sheet {
     for (int i = 0; i < 400; ++i) {
       add(LineFamily::Ridges, 0.06, static_cast<float>(5.0 * std::exp(normal(random))));
     }
-    for (int i = 0; i < 3; ++i) add(LineFamily::Creases, 0.4, 1.0f);
+    for (int i = 0; i < 3; ++i) add(LineFamily::Creases, 0.4, 90.0f);
     lines[LineFamily::ApparentRidges] = lines[LineFamily::Ridges] = lines[LineFamily::Creases] =
         true;
     lines.threshold[static_cast<std::size_t>(LineFamily::Ridges)] = 7.0;
