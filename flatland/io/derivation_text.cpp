@@ -99,8 +99,6 @@ std::string wordsFor(StepAnswer answer) {
       return "no tangent";
     case StepAnswer::Silhouette:
       return "silhouette";
-    case StepAnswer::NoDirection:
-      return "no principal direction";
   }
   return {};
 }

@@ -79,9 +79,8 @@ struct StepSides {
 
 enum class StepAnswer {
   Evaluated,
-  NoTangent,    ///< a cusp: there is no normal
-  Silhouette,   ///< n.j = 0 to rounding: nothing by i exists, lambda has no finite value
-  NoDirection,  ///< the two curvatures of the sheet agree: no direction is principal
+  NoTangent,   ///< a cusp: there is no normal
+  Silhouette,  ///< n.j = 0 to rounding: nothing by i exists, lambda has no finite value
 };
 
 /// A step at a place. The sides are empty where `answer` says why; `printed` also where the thesis

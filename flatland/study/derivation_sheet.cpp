@@ -269,6 +269,9 @@ M2<Sized> outOfPlane(const AtPlace& at) {
   return {-at.un[0] * at.kr[0], -at.un[0] * at.kr[1], -at.un[1] * at.kr[0], -at.un[1] * at.kr[1]};
 }
 
+/// Which formula of principalTurn() is the better one.
+bool firstFormula(const AtPlace& at) { return at.K[0].value >= at.K[3].value; }
+
 /// What the thesis needs besides: its frame of principal directions, and its (4.7) there.
 struct Principal {
   bool first;
@@ -278,13 +281,10 @@ struct Principal {
   M2<Sized> printedDP;
 };
 
-std::optional<Principal> principalAt(const AtPlace& at) {
-  const Sized half = Sized(0.5) * (at.K[0] - at.K[3]);
-  const Sized radiusSq = half * half + at.K[1] * at.K[1];
-  constexpr double kUmbilic = 1e-20;  // radius^2 over the squares of the curvatures
-  if (radiusSq.value <= kUmbilic * radiusSq.size) return std::nullopt;
+/// There is one at every place: K12 = -q/L, so the two curvatures differ.
+Principal principalAt(const AtPlace& at) {
   Principal own;
-  own.first = half.value >= 0.0;
+  own.first = firstFormula(at);
   own.turn = principalTurn(at.K, own.first);
   const M2<Sized> back = transposed(own.turn);
   own.K = times(back, times(at.K, own.turn));
@@ -327,10 +327,12 @@ SizedSides sides(int rows, std::vector<Sized> left, std::vector<Sized> right) {
   return {rows, rows, std::move(left), std::move(right)};
 }
 
+/// The value is that of the program's own formula, which is what the step puts to the test; only
+/// the size of what it adds up is found here.
 Sized closedForm(const AtPlace& at) {
-  const Sized feature = dotOf(at.kr, times(contracted(at.C, at.r), at.r));
-  const Sized offset = -dotOf(at.r, at.kr) * dotOf(at.kr, times(at.K, at.wT)) / at.nw;
-  return {at.seen.sum(), (feature + offset).size};
+  const double feature = dotOf(at.kr, times(contracted(at.C, at.r), at.r)).size;
+  const double offset = (dotOf(at.r, at.kr) * dotOf(at.kr, times(at.K, at.wT)) / at.nw).size;
+  return {at.seen.sum(), feature + offset};
 }
 
 Evaluation evaluateAt(DerivationStep step, const AtPlace& at) {
@@ -347,25 +349,20 @@ Evaluation evaluateAt(DerivationStep step, const AtPlace& at) {
     return {StepAnswer::Evaluated, sides(2, left, listed(-product)),
             sides(2, left, listed(product))};
   }
-  const auto own = principalAt(at);
+  const Principal own = principalAt(at);
   Evaluation found;
   if (step == Step::Eq4_7) {
     found.corrected = sides(2, listed(dp), listed(outOfPlane(at)));
-    if (own) {
-      const M2<Series> p = principalP(at.series, own->first);
-      found.printed = sides(2, listed(coefficient(p, 1)), listed(own->printedDP));
-    }
+    const M2<Series> p = principalP(at.series, own.first);
+    found.printed = sides(2, listed(coefficient(p, 1)), listed(own.printedDP));
   } else {
     found.corrected =
         sides(1, {slope},
               {derivativeOfLambda(at.K, at.inverseP, at.C, at.r, at.tA, outOfPlane(at), -1.0)});
-    if (own) {
-      found.printed = sides(
-          1, {slope},
-          {derivativeOfLambda(own->K, own->inverseP, own->C, own->r, at.tA, own->printedDP, 1.0)});
-    }
+    found.printed =
+        sides(1, {slope},
+              {derivativeOfLambda(own.K, own.inverseP, own.C, own.r, at.tA, own.printedDP, 1.0)});
   }
-  if (!own) found.answer = StepAnswer::NoDirection;
   return found;
 }
 
@@ -411,7 +408,7 @@ std::vector<StepDifference> sweepSheet(DerivationStep step, const DerivationPlac
   const auto at = knownAt(place, answer);
   if (!at) return {};
   const Evaluation found = evaluateAt(step, *at);
-  const bool first = at->K[0].value >= at->K[3].value;
+  const bool first = firstFormula(*at);
   // How far the path may go: a tenth of the sheet's size, and within the piece of the curve.
   constexpr double kReach = 0.1, kNever = 1e300;
   const double r = std::hypot(at->seen.r(0), at->seen.r(1));

@@ -49,8 +49,6 @@ QString whyNot(StepAnswer answer) {
           "A silhouette: n·j = 0. Nothing can be differentiated by the screen coordinate here; λ "
           "has "
           "no finite value.");
-    case StepAnswer::NoDirection:
-      return Words::tr("The two curvatures are equal here: no direction is principal.");
     case StepAnswer::Evaluated:
       break;
   }

@@ -1039,10 +1039,6 @@
         <translation>Eine Silhouette: n·j = 0. Nach der Schirmkoordinate lässt sich hier nichts ableiten; λ hat keinen endlichen Wert.</translation>
     </message>
     <message>
-        <source>The two curvatures are equal here: no direction is principal.</source>
-        <translation>Die beiden Krümmungen sind hier gleich: Keine Richtung ist Hauptrichtung.</translation>
-    </message>
-    <message>
         <source>Point at the curve to see the values there.</source>
         <translation>Zeigen Sie auf die Kurve, um die Werte dort zu sehen.</translation>
     </message>
