@@ -28,11 +28,17 @@ std::string makeComfortable(Scene& scene, const std::string& source) {
   const double mantissa = std::frexp(side, &exponent);  // in [0.5, 1)
   const int power = (mantissa == 0.5 ? 3 : 2) - exponent;
   const Vec2 centre = box.centre();
+  const auto place = [&](auto& shape) {
+    for (std::size_t i = 0; i < shape.points().size(); ++i) {
+      const Vec2 p = shape.points()[i] - centre;
+      shape.setPoint(i, {std::ldexp(p.x(), power), std::ldexp(p.y(), power)});
+    }
+  };
   for (SceneCurve& curve : scene.curves) {
-    BezierChain& chain = curve.chain();
-    for (std::size_t i = 0; i < chain.points().size(); ++i) {
-      const Vec2 p = chain.points()[i] - centre;
-      chain.setPoint(i, {std::ldexp(p.x(), power), std::ldexp(p.y(), power)});
+    if (auto* conics = std::get_if<RationalBezier>(&curve.shape)) {
+      place(*conics);
+    } else {
+      place(curve.chain());
     }
   }
   return scaleText(power);

@@ -179,8 +179,8 @@ Subpath svgRectangle(const Vec2& corner, const Vec2& size, const Vec2& radii) {
     // Sides of no length, where the corners meet, are no segments; half a side rounds either way.
     const Vec2 end = (at[i + 1] - at[i]).norm() > kSameEnd * size.norm() ? at[i + 1] : at[i];
     if (end != at[i]) path.segments.push_back(line(at[i], end));
-    for (Bezier& cubic : cubicsOfArc(end, at[(i + 2) % at.size()], {r, 0.0, false, true})) {
-      path.segments.push_back(std::move(cubic));
+    for (PathSegment& conic : conicsOfArc(end, at[(i + 2) % at.size()], {r, 0.0, false, true})) {
+      path.segments.push_back(std::move(conic));
     }
   }
   return path;
@@ -191,8 +191,8 @@ Subpath svgEllipse(const Vec2& centre, const Vec2& radii) {
   const std::array<Vec2, 5> at{centre + x, centre + y, centre - x, centre - y, centre + x};
   Subpath path{at[0], {}, true};
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-    for (Bezier& cubic : cubicsOfArc(at[i], at[i + 1], {radii, 0.0, false, true})) {
-      path.segments.push_back(std::move(cubic));
+    for (PathSegment& conic : conicsOfArc(at[i], at[i + 1], {radii, 0.0, false, true})) {
+      path.segments.push_back(std::move(conic));
     }
   }
   return path;

@@ -13,6 +13,7 @@
 #include "flatland/io/read_text.h"
 #include "flatland/io/scene_json.h"
 #include "flatland/io/svg_attributes.h"
+#include "flatland/io/svg_style.h"
 
 namespace flatland {
 
@@ -38,20 +39,13 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// A property from the attribute `style`, else from the attribute of its own name; "" if neither.
-std::string_view property(const pugi::xml_node& node, const char* name) {
-  std::string_view rest = node.attribute("style").value();
-  std::string_view found;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(';'), rest.size());
-    const std::string_view declaration = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    const std::size_t colon = declaration.find(':');
-    if (colon == std::string_view::npos || trimmed(declaration.substr(0, colon)) != name) continue;
-    found = trimmed(declaration.substr(colon + 1));
-    found = trimmed(found.substr(0, found.find('!')));
-  }
-  return found.empty() ? trimmed(node.attribute(name).value()) : found;
+/// A property from the attribute `style`, else as a style sheet has it, else from the attribute of
+/// its own name; "" if nothing says it.
+std::string_view property(const pugi::xml_node& node, const char* name,
+                          std::string_view bySheet = {}) {
+  const std::string_view own = svgDeclared(node.attribute("style").value(), name);
+  if (!own.empty()) return own;
+  return bySheet.empty() ? trimmed(node.attribute(name).value()) : bySheet;
 }
 
 /// What an element inherits.
@@ -117,9 +111,8 @@ class SvgReader {
         if (isOneOf(name, {"linearGradient", "radialGradient", "meshgradient"})) {
           leftOut_.count("gradient");
         }
-        if (name == "style" && !trimmed(node.child_value()).empty()) {
-          leftOut_.count("style sheet");
-          hasStyleSheet_ = true;
+        if (name == "style") {
+          for (const pugi::xml_node& text : node.children()) sheet_.add(text.value());
         }
         if (isOneOf(name, {"pattern", "filter"})) leftOut_.count(std::string(name));
       }
@@ -130,6 +123,7 @@ class SvgReader {
       while (node && node != root && !node.next_sibling()) node = node.parent();
       node = node && node != root ? node.next_sibling() : pugi::xml_node();
     }
+    leftOut_.count("style rule", sheet_.passedOver());
   }
 
   std::string describe(const pugi::xml_node& node) const {
@@ -186,15 +180,18 @@ class SvgReader {
 
   /// Takes over the element's own properties; false if it is not drawn at all.
   bool inherit(const pugi::xml_node& node, State& state) {
-    if (property(node, "display") == "none") {
+    const SvgDrawn sheet =
+        sheet_.of({nameOf(node), node.attribute("id").value(), node.attribute("class").value()});
+    if (property(node, "display", sheet.display) == "none") {
       leftOut_.count("hidden element");
       return false;
     }
-    const std::string_view visibility = property(node, "visibility");
+    const std::string_view visibility = property(node, "visibility", sheet.visibility);
     if (!visibility.empty() && visibility != "inherit") state.visible = visibility == "visible";
-    const std::string_view fill = property(node, "fill"), stroke = property(node, "stroke");
-    // A style sheet, which is not read, may say otherwise.
-    const bool unknown = hasStyleSheet_ && node.attribute("class");
+    const std::string_view fill = property(node, "fill", sheet.fill);
+    const std::string_view stroke = property(node, "stroke", sheet.stroke);
+    // A rule that was passed over may say otherwise.
+    const bool unknown = sheet_.passedOver() > 0 && node.attribute("class");
     if (!fill.empty() && fill != "inherit") state.filled = fill != "none";
     if (!stroke.empty() && stroke != "inherit") state.stroked = stroke != "none";
     if (unknown) state.filled = true;
@@ -332,9 +329,10 @@ class SvgReader {
       fail(node, "is where the drawing exceeds " + std::to_string(kMostSvgSegments) +
                      " segments, too many");
     for (Subpath& subpath : subpaths) {
-      for (Bezier& segment : subpath.segments) {
+      for (PathSegment& segment : subpath.segments) {
         for (Vec2& p : segment.points) {
           p = state.toPage * p;
+          p.y() = pageHeight_ - p.y();
           if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestLength) {
             fail(node, "has coordinates beyond 1e50, the largest supported");
           }
@@ -354,13 +352,6 @@ class SvgReader {
                        "has no curve to show" +
                            (result.leftOut.empty() ? std::string() : "; " + result.leftOut));
     }
-    for (SceneCurve& curve : curves_) {
-      BezierChain& chain = curve.chain();
-      for (std::size_t i = 0; i < chain.points().size(); ++i) {
-        const Vec2 p = chain.points()[i];
-        chain.setPoint(i, {p.x(), pageHeight_ - p.y()});
-      }
-    }
     result.scene.curves = std::move(curves_);
     result.done =
         countText("curve", static_cast<int>(result.scene.curves.size())) + ", y turned up";
@@ -376,7 +367,7 @@ class SvgReader {
   ChainNotes notes_;
   std::vector<SceneCurve> curves_;
   double pageHeight_ = 0.0;
-  bool hasStyleSheet_ = false;
+  SvgStyleSheet sheet_;
   int elements_ = 0;
   std::size_t segments_ = 0;
 };

@@ -12,7 +12,7 @@ namespace flatland {
 
 namespace {
 
-constexpr double kMostDegPerCubic = 30.0;
+constexpr double kMostDegPerConic = 90.0;
 
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 char toUpper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
@@ -65,27 +65,27 @@ class PathReader {
         moveTo(origin + scan_.pair());
         break;
       case 'L':
-        add({at_, origin + scan_.pair()});
+        add({{at_, origin + scan_.pair()}});
         break;
       case 'H':
-        add({at_, Vec2(origin.x() + scan_.number(), at_.y())});
+        add({{at_, Vec2(origin.x() + scan_.number(), at_.y())}});
         break;
       case 'V':
-        add({at_, Vec2(at_.x(), origin.y() + scan_.number())});
+        add({{at_, Vec2(at_.x(), origin.y() + scan_.number())}});
         break;
       case 'C':
       case 'S': {
         const Vec2 first = kind == 'C' ? Vec2(origin + nextPair()) : reflected("CS");
         const Vec2 second = origin + nextPair();
         handle_ = second;
-        add({at_, first, second, origin + scan_.pair()});
+        add({{at_, first, second, origin + scan_.pair()}});
         break;
       }
       case 'Q':
       case 'T': {
         const Vec2 middle = kind == 'Q' ? Vec2(origin + nextPair()) : reflected("QT");
         handle_ = middle;
-        add({at_, middle, origin + scan_.pair()});
+        add({{at_, middle, origin + scan_.pair()}});
         break;
       }
       case 'A':
@@ -120,10 +120,10 @@ class PathReader {
     scan_.skipCommaSpace();
     const Vec2 end = origin + scan_.pair();
     if (end == at_) {
-      add({at_, end});  // of zero length, counted as such
+      add({{at_, end}});  // of zero length, counted as such
       return;
     }
-    for (Bezier& cubic : cubicsOfArc(at_, end, arc)) add(std::move(cubic.points));
+    for (PathSegment& conic : conicsOfArc(at_, end, arc)) add(std::move(conic));
   }
 
   void moveTo(const Vec2& point) {
@@ -133,7 +133,7 @@ class PathReader {
     hasOpen_ = true;
   }
 
-  void add(std::vector<Vec2> points) {
+  void add(PathSegment segment) {
     if (!hasOpen_) {  // after Z without M: another subpath from the same start
       open_.start = at_;
       hasOpen_ = true;
@@ -141,8 +141,8 @@ class PathReader {
     if (++segments_ > kMostSvgSegments) {
       scan_.fail("more than " + std::to_string(kMostSvgSegments) + " segments, too many");
     }
-    at_ = points.back();
-    open_.segments.push_back({std::move(points)});
+    at_ = segment.points.back();
+    open_.segments.push_back(std::move(segment));
   }
 
   void close() {
@@ -171,7 +171,7 @@ class PathReader {
   std::size_t segments_ = 0;
 };
 
-double sizeOf(const std::vector<Bezier>& segments) {
+double sizeOf(const std::vector<PathSegment>& segments) {
   Vec2 low = segments.front().points.front(), high = low;
   for (const Bezier& segment : segments) {
     for (const Vec2& p : segment.points) {
@@ -180,6 +180,19 @@ double sizeOf(const std::vector<Bezier>& segments) {
     }
   }
   return (high - low).norm();
+}
+
+/// The segment with as many control points as `degree` asks for.
+RationalBezier raised(PathSegment segment, int degree) {
+  if (segment.weight == 1.0) {
+    Bezier bezier = std::move(segment);
+    while (bezier.degree() < degree) bezier = elevated(bezier);
+    std::vector<double> ones(bezier.points.size(), 1.0);
+    return RationalBezier(degree, false, std::move(bezier.points), std::move(ones));
+  }
+  RationalBezier conic(2, false, std::move(segment.points), {1.0, segment.weight, 1.0});
+  while (conic.degree() < degree) conic = elevated(conic);
+  return conic;
 }
 
 bool isPoint(const Bezier& segment) {
@@ -194,10 +207,10 @@ std::vector<Subpath> subpathsFromSvg(std::string_view text, const std::string& s
   return PathReader(text, source, place).read();
 }
 
-std::vector<Bezier> cubicsOfArc(const Vec2& from, const Vec2& to, const SvgArc& arc) {
+std::vector<PathSegment> conicsOfArc(const Vec2& from, const Vec2& to, const SvgArc& arc) {
   if (from == to) return {};
   double rx = std::abs(arc.radii.x()), ry = std::abs(arc.radii.y());
-  if (rx == 0.0 || ry == 0.0) return {Bezier{{from, to}}};
+  if (rx == 0.0 || ry == 0.0) return {PathSegment({from, to})};
   const double phi = std::fmod(arc.rotationDeg, 360.0) * std::numbers::pi / 180.0;
   const Vec2 along(std::cos(phi), std::sin(phi));
   const Vec2 across = rotateCcw(along);
@@ -225,30 +238,30 @@ std::vector<Bezier> cubicsOfArc(const Vec2& from, const Vec2& to, const SvgArc& 
     return unit.x() * rx * along + unit.y() * ry * across;
   };
   const Vec2 centre = 0.5 * (from + to) + place(c);
-  const double most = kMostDegPerCubic * std::numbers::pi / 180.0;
-  // A little room, so that a quarter is three cubics whatever its rounding.
+  const double most = kMostDegPerConic * std::numbers::pi / 180.0;
+  // A little room, so that a quarter is one segment whatever its rounding.
   const int count = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / most - 1e-9)));
   const double step = turn / count;
-  const double handle = 4.0 / 3.0 * std::tan(0.25 * step);
   const double begin = std::atan2(first.y(), first.x());
 
-  std::vector<Bezier> cubics;
+  std::vector<PathSegment> conics;
   Vec2 a = first;
   Vec2 start = from;
   for (int i = 1; i <= count; ++i) {
     const double angle = begin + i * step;
     const Vec2 b = i == count ? last : Vec2(std::cos(angle), std::sin(angle));
     const Vec2 end = i == count ? to : Vec2(centre + place(b));
-    cubics.push_back(
-        {{start, start + place(handle * rotateCcw(a)), end - place(handle * rotateCcw(b)), end}});
+    // Where the tangents at the ends meet.
+    const Vec2 middle = centre + place((a + b) / (1.0 + std::cos(step)));
+    conics.push_back({{start, middle, end}, std::cos(0.5 * step)});
     a = b;
     start = end;
   }
-  return cubics;
+  return conics;
 }
 
-std::optional<BezierChain> chainOf(const Subpath& subpath, ChainNotes& notes) {
-  std::vector<Bezier> segments = subpath.segments;
+std::optional<Curve> chainOf(const Subpath& subpath, ChainNotes& notes) {
+  std::vector<PathSegment> segments = subpath.segments;
   notes.zeroLengthSegments += static_cast<int>(std::erase_if(segments, isPoint));
   if (segments.empty()) {
     ++notes.emptySubpaths;
@@ -267,20 +280,29 @@ std::optional<BezierChain> chainOf(const Subpath& subpath, ChainNotes& notes) {
   }
   if (subpath.closed && !closed) {
     const Vec2 last = segments.back().points.back();
-    segments.push_back({{last, start}});
+    segments.push_back(PathSegment({last, start}));
     closed = true;
   }
 
   int degree = 1;
-  for (const Bezier& segment : segments) degree = std::max(degree, segment.degree());
-  std::vector<Vec2> points;
-  for (Bezier& segment : segments) {
-    while (segment.degree() < degree) segment = elevated(segment);
-    points.insert(points.end(), segment.points.begin(), segment.points.end() - 1);
+  bool hasArcs = false;
+  for (const PathSegment& segment : segments) {
+    degree = std::max(degree, segment.degree());
+    hasArcs = hasArcs || segment.weight != 1.0;
   }
-  if (!closed) points.push_back(segments.back().points.back());
-  if (BezierChain::whyInvalid(degree, closed, points.size()))
-    closed = false, points.push_back(start);
+  std::vector<Vec2> points;
+  std::vector<double> weights;
+  for (const PathSegment& segment : segments) {
+    const RationalBezier piece = raised(segment, degree);
+    points.insert(points.end(), piece.points().begin(), piece.points().end() - 1);
+    weights.insert(weights.end(), piece.weights().begin(), piece.weights().end() - 1);
+  }
+  if (BezierChain::whyInvalid(degree, true, points.size())) closed = false;
+  if (!closed) {
+    points.push_back(segments.back().points.back());
+    weights.push_back(1.0);
+  }
+  if (hasArcs) return RationalBezier(degree, closed, std::move(points), std::move(weights));
   return BezierChain(degree, closed, std::move(points));
 }
 

@@ -6,19 +6,28 @@
 #include <string_view>
 #include <vector>
 
-#include "flatland/curve/bezier_chain.h"
+#include "flatland/curve/curve.h"
 
 namespace flatland {
 
-/// One subpath of an SVG path: Bezier segments of degree 1 to 3, each starting where the one before
-/// ends. Coordinates are those of the text, so y points down in most files.
+/// A Bezier segment, or an arc of an ellipse: then of degree 2, with a weight of the middle point
+/// where its ends have 1 (see RationalBezier).
+struct PathSegment : Bezier {
+  double weight = 1.0;
+
+  PathSegment(std::vector<Vec2> p, double w = 1.0) : Bezier{std::move(p)}, weight(w) {}
+  PathSegment(Bezier bezier) : Bezier(std::move(bezier)) {}
+};
+
+/// One subpath of an SVG path: segments of degree 1 to 3, each starting where the one before ends.
+/// Coordinates are those of the text, so y points down in most files.
 struct Subpath {
   Vec2 start = Vec2::Zero();
-  std::vector<Bezier> segments;
+  std::vector<PathSegment> segments;
   bool closed = false;  ///< by Z; the closing line is not among the segments
 };
 
-/// No path may have more segments than this, arcs counted by their cubics.
+/// No path may have more segments than this, arcs counted by their quarters.
 inline constexpr std::size_t kMostSvgSegments = 100'000;
 
 /// The whole grammar of path data (SVG 2, section 9.3): M L H V C S Q T A Z, absolute and relative,
@@ -30,16 +39,15 @@ std::vector<Subpath> subpathsFromSvg(std::string_view text, const std::string& s
 
 /// Elliptical arc from `from` to `to` as SVG defines it (SVG 2, B.2): radii of either sign, made
 /// larger together if they are too short to reach; a radius of zero gives the line; equal ends give
-/// nothing. Cubics of at most 30 degrees each, which stay within 4e-7 of the larger radius of the
-/// arc and meet it and its tangent at their ends. Their curvature is that of the arc to about 1e-3
-/// only, and wavers: they have ridges that an arc has not.
+/// nothing. Segments of at most 90 degrees of the ellipse each, exact up to rounding, so that the
+/// curvature is that of the ellipse too: an arc of a circle has no ridges.
 struct SvgArc {
   Vec2 radii;
   double rotationDeg = 0.0;  ///< of the first radius against the x axis
   bool large = false;        ///< the longer way round
   bool sweep = false;        ///< angles grow from `from` to `to`
 };
-std::vector<Bezier> cubicsOfArc(const Vec2& from, const Vec2& to, const SvgArc& arc);
+std::vector<PathSegment> conicsOfArc(const Vec2& from, const Vec2& to, const SvgArc& arc);
 
 /// What turning a subpath into a chain dropped or changed, to be told to the person.
 struct ChainNotes {
@@ -52,9 +60,10 @@ struct ChainNotes {
 /// digits or so, and sums of relative steps miss by a few units of the last.
 inline constexpr double kSameEnd = 1e-6;
 
-/// The subpath as one chain of the lowest degree that holds all its segments; lower ones are
-/// raised, which changes no point of the curve. Closed if Z closes it or if its ends coincide
-/// (kSameEnd). Z adds the closing line, if there is a gap. nullopt if no segment has any length.
-std::optional<BezierChain> chainOf(const Subpath& subpath, ChainNotes& notes);
+/// The subpath as one BezierChain, or with arcs as one RationalBezier, of the lowest degree that
+/// holds all its segments; lower ones are raised, which changes no point of the curve. Closed if Z
+/// closes it or if its ends coincide (kSameEnd). Z adds the closing line, if there is a gap.
+/// nullopt if no segment has any length.
+std::optional<Curve> chainOf(const Subpath& subpath, ChainNotes& notes);
 
 }  // namespace flatland

@@ -81,8 +81,8 @@ class ImportTest : public QObject {
     QCOMPARE(d.document().undoStack().count(), 1);
     QVERIFY(d.child<QLabel>("message.text").text().contains("left out: 1 text"));
     // All that came is selected, and nothing else: arrow keys move it as a whole.
-    const std::size_t came =
-        d.scene().curves[1].chain().points().size() + d.scene().curves[2].chain().points().size();
+    const std::size_t came = controlPoints(d.scene().curves[1].shape).size() +
+                             controlPoints(d.scene().curves[2].shape).size();
     QCOMPARE(d.window().selection().points().size(), came);
     const Scene imported = d.scene();
     d.canvasKey(Qt::Key_Right);
