@@ -15,9 +15,7 @@ using test::ProgramResult;
 using test::TemporaryFolder;
 
 ProgramResult run(const std::vector<std::string>& arguments) {
-  return test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments,
-                                             .environment = {{"DISPLAY", std::nullopt},
-                                                             {"QT_QPA_PLATFORM", "nonsense"}}});
+  return test::runWithoutDisplay(FLATLAND_PROGRAM, arguments);
 }
 
 constexpr const char* kHeader =

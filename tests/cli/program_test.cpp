@@ -22,14 +22,9 @@ using test::TemporaryFolder;
 
 constexpr bool kWithQt = FLATLAND_WITH_QT;
 
-/// Without a display, and with a Qt platform that does not exist: whoever asks Qt for one ends.
 ProgramResult run(const std::vector<std::string>& arguments, const std::string& input = {},
                   const std::optional<std::string>& platform = "nonsense") {
-  return test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments,
-                                             .input = input,
-                                             .environment = {{"DISPLAY", std::nullopt},
-                                                             {"WAYLAND_DISPLAY", std::nullopt},
-                                                             {"QT_QPA_PLATFORM", platform}}});
+  return test::runWithoutDisplay(FLATLAND_PROGRAM, arguments, input, platform);
 }
 
 void expectOneLine(const ProgramResult& result, int exitCode, const std::string& part) {

@@ -19,9 +19,7 @@ using test::ProgramResult;
 using test::TemporaryFolder;
 
 ProgramResult run(const std::vector<std::string>& arguments) {
-  return test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments,
-                                             .environment = {{"DISPLAY", std::nullopt},
-                                                             {"QT_QPA_PLATFORM", "nonsense"}}});
+  return test::runWithoutDisplay(FLATLAND_PROGRAM, arguments);
 }
 
 std::size_t countOf(const std::string& text, const std::string& part) {

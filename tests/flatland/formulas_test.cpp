@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Taylor arithmetic against 50 digits, and typed formulas: their grammar, values and errors.
+// Taylor arithmetic against 50 digits (its edges: taylor_test.cpp), and typed formulas: their grammar, values and errors.
 #include <gtest/gtest.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -88,21 +88,6 @@ TEST(Taylor, AgreesWithFiftyDigits) {
       }
     }
   }
-}
-
-TEST(Taylor, KeepsToItsDomain) {
-  EXPECT_FALSE(std::isfinite(sqrt(Series(-1.0)).value()));
-  EXPECT_FALSE(std::isfinite(log(Series(0.0)).value()));
-  EXPECT_FALSE(sqrt(Series::variable(0.0)).isFinite());
-  EXPECT_EQ(sqrt(Series(0.0)).value(), 0.0);
-  EXPECT_EQ(pow(Series::variable(0.0), 3.0).derivative(3), 6.0);
-  EXPECT_EQ(pow(Series::variable(-2.0), 2.0).derivative(1), -4.0);
-  EXPECT_EQ(abs(Series::variable(0.0)).derivative(1), 1.0);
-  Series s, c;
-  sinCosOfTurns(Series::variable(0.5), s, c);
-  EXPECT_EQ(s.value(), 0.0);
-  EXPECT_EQ(c.value(), -1.0);
-  EXPECT_EQ(c.derivative(1), 0.0);
 }
 
 double valueOf(const std::string& text, const Expression::Constants& constants = {}) {

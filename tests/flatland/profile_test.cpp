@@ -212,6 +212,34 @@ TEST(Profile, RatioBreaksWhereTheFeatureTermIsZeroButNotAtInflections) {
   }
 }
 
+// At an extremum k' is 0 but for the rounding of its place, which is to be judged by k^2 where the
+// curve is sharp, and by its length where it is flat.
+TEST(Profile, RatioBreaksAtExtremaHoweverSharpOrFlat) {
+  const auto expectNone = [](const Scene& scene, int expected) {
+    const FeatureSet features = findFeatures(scene);
+    const Profile profile = flatland::profileOf(scene, features, 0);
+    int extrema = 0;
+    for (const Mark& mark : features.marks) {
+      if (mark.kind != MarkKind::Ridge && mark.kind != MarkKind::Valley &&
+          mark.kind != MarkKind::Flat) {
+        continue;
+      }
+      ++extrema;
+      forEachSample(profile, [&](const ProfileSample& s) {
+        if (s.t == mark.t) {
+          EXPECT_FALSE(s.ratio) << *s.ratio;
+        }
+      });
+    }
+    EXPECT_EQ(extrema, expected);
+  };
+  expectNone(parabola(1e5), 1);
+  // y = x^4 over [-1, 2]; its flat place, between two ridges, has no exact parameter.
+  expectNone(sceneOf({{-1.0, 1.0}, {-0.25, -2.0}, {0.5, 4.0}, {1.25, -8.0}, {2.0, 16.0}},
+                     View{70.0, std::nullopt}),
+             3);
+}
+
 TEST(Profile, CurvatureBreaksAtAJointWhereItJumps) {
   // A straight run into a parabola of curvature 2, tangent to it: k jumps, the tangent does not.
   const BezierChain chain(2, false, {{-2, 0}, {-1, 0}, {0, 0}, {0.5, 0}, {1, 1}});

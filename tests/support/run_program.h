@@ -96,4 +96,17 @@ inline ProgramResult runProgram(const std::string& program, const ProgramRun& ru
   return {code, run.standardOutput ? std::string() : contentsOf(outFile), contentsOf(errFile)};
 }
 
+/// The same without a display, and with a Qt platform that does not exist: whoever asks Qt for one
+/// ends. nullopt leaves the choice of the platform to Qt.
+inline ProgramResult runWithoutDisplay(const std::string& program,
+                                       const std::vector<std::string>& arguments,
+                                       const std::string& input = {},
+                                       const std::optional<std::string>& platform = "nonsense") {
+  return runProgram(program, {.arguments = arguments,
+                              .input = input,
+                              .environment = {{"DISPLAY", std::nullopt},
+                                              {"WAYLAND_DISPLAY", std::nullopt},
+                                              {"QT_QPA_PLATFORM", platform}}});
+}
+
 }  // namespace flatland::test
