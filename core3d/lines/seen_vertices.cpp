@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Compiled once for each kind of processor by foreach_target.h; the one that fits is called.
+// Compiled once for each kind of processor by Highway; the one that fits is called.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core3d/lines/seen_vertices.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
+// After the header that compiles this file again.
 #include <hwy/highway.h>
 
 #include <algorithm>
