@@ -37,6 +37,12 @@ struct Products {
 };
 constexpr Products kProducts;
 
+// The square of i! j!, which makes a derivative of a coefficient, times the number of orders of its
+// indices.
+constexpr double kDerivatives[kSize] = {1.0,   1.0,        1.0,        4.0,        2.0,
+                                        4.0,   36.0,       3.0 * 4.0,  3.0 * 4.0,  36.0,
+                                        576.0, 4.0 * 36.0, 6.0 * 16.0, 4.0 * 36.0, 576.0};
+
 }  // namespace
 
 void HeightSums::add(double u, double v, double h, double weight) {
@@ -60,10 +66,9 @@ void HeightSums::add(const HeightSums& other, double weight) {
 }
 
 double HeightPolynomial::fourthNorm() const {
-  // Derivatives i! j! a_ij, each as often as its indices can be ordered.
   double sum = 0.0;
-  constexpr double kWeights[] = {576.0, 4.0 * 36.0, 6.0 * 16.0, 4.0 * 36.0, 576.0};
-  for (int j = 0; j <= 4; ++j) sum += kWeights[j] * at(4 - j, j) * at(4 - j, j);
+  for (std::size_t i = sizeOf(3); i < kSize; ++i)
+    sum += kDerivatives[i] * coefficients[i] * coefficients[i];
   return std::sqrt(sum);
 }
 
@@ -115,9 +120,7 @@ HeightPolynomial fitHeight(const HeightSums& sums, int degree) {
   for (std::size_t i = 0; i < size; ++i) x[i] *= scale[i];
 
   // The inverse's diagonal: the squares of column i of L's inverse.
-  constexpr double kThird[] = {36.0, 3.0 * 4.0, 3.0 * 4.0, 36.0};
-  for (std::size_t i = HeightPolynomial::sizeOf(2); i < std::min(size, HeightPolynomial::sizeOf(3));
-       ++i) {
+  for (std::size_t i = HeightPolynomial::sizeOf(2); i < size; ++i) {
     double column[kSize], squares = 0.0;
     for (std::size_t k = i; k < size; ++k) {
       double entry = k == i ? 1.0 : 0.0;
@@ -125,8 +128,9 @@ HeightPolynomial fitHeight(const HeightSums& sums, int degree) {
       column[k] = entry * inverse[k];
       squares += column[k] * column[k];
     }
-    polynomial.thirdVariance +=
-        kThird[i - HeightPolynomial::sizeOf(2)] * squares * scale[i] * scale[i];
+    double& variance =
+        i < HeightPolynomial::sizeOf(3) ? polynomial.thirdVariance : polynomial.fourthVariance;
+    variance += kDerivatives[i] * squares * scale[i] * scale[i];
   }
   return polynomial;
 }

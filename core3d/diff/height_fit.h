@@ -17,9 +17,10 @@ struct HeightPolynomial {
 
   int degree = 0;
   std::array<double, kSize> coefficients{};
-  /// How errors of the heights with variance 1 reach the third derivatives: sum of the variances of
-  /// all eight, h_uuu, h_uuv, h_uvu, ...; 0 if there are none.
-  double thirdVariance = 0.0;
+  /// How errors of the heights with variance 1 reach the derivatives: sum of the variances of all
+  /// eight third ones, h_uuu, h_uuv, h_uvu, ..., and of all sixteen fourth ones; 0 where the degree
+  /// is lower.
+  double thirdVariance = 0.0, fourthVariance = 0.0;
 
   /// Of u^i v^j.
   double at(int i, int j) const { return coefficients[index(i, j)]; }

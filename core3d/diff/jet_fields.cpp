@@ -30,10 +30,12 @@ constexpr double kUnresolvedMiss = 0.06;
 // The share of vertices that are called free of features when noise is measured.
 constexpr double kPlainShare = 0.1;
 // Positions are floats in [-1, 1]: their rounding as a root mean square.
-constexpr double kRounding = 2e-8;
+constexpr double kRounding = 1e-8;
 // In edges: noise may displace a line (the zero of a third derivative that grows like the fourth)
 // by this much before a wider fit is tried.
 constexpr double kDisplacement = 0.4;
+// Standard deviations that noise does not reach.
+constexpr double kSurely = 2.0;
 // A residual that is not noise is one-sided over many vertices; it does this times as much harm.
 // Over two rings it cannot be seen; it grows like the fifth power of the size.
 constexpr double kTwoRingsShare = 0.13;
@@ -73,10 +75,14 @@ float sizeAt(LocalFit& fit, double noise) {
   HeightPolynomial h = fit.over(kFirst);
   const auto [missed, worst] = fit.misses(h, kFirst);
   if (worst > std::max(allowed, kUnresolvedMiss)) return kUnresolved;
+  const auto isKnown = [noiseInEdges](const HeightPolynomial& fitted) {
+    // The part of the fourth derivatives that is not noise.
+    const double fourth =
+        fitted.fourthNorm() - kSurely * noiseInEdges * std::sqrt(fitted.fourthVariance);
+    return noiseInEdges * std::sqrt(fitted.thirdVariance) <= kDisplacement * fourth;
+  };
   int size = kFirst;
-  while (worst <= allowed && size < kLargest &&
-         noiseInEdges * std::sqrt(h.thirdVariance) > kDisplacement * h.fourthNorm() &&
-         fit.growTo(size + 1)) {
+  while (worst <= allowed && size < kLargest && !isKnown(h) && fit.growTo(size + 1)) {
     const HeightPolynomial wider = fit.over(size + 1);
     if (fit.misses(wider, size + 1).worstRing > allowed) break;
     h = wider;
@@ -103,12 +109,14 @@ std::vector<char> sparseVertices(const VertexNeighbours& neighbours) {
   return chosen;
 }
 
-// Means over the vertex and its neighbours, of those that have a size.
+// Means over the vertex and its neighbours, of those that have a size. A crease is unresolved
+// whatever lies beside it, and what lies beside it does not get that from it.
 std::vector<float> spread(const std::vector<float>& sizes, const VertexNeighbours& neighbours) {
   std::vector<float> means(sizes.size());
   for (std::uint32_t v = 0; v < sizes.size(); ++v) {
     float sum = 2.0f * sizes[v], weight = sizes[v] > 0.0f ? 2.0f : 0.0f;
     for (const std::uint32_t q : neighbours.of(v)) {
+      if (neighbours.onCrease[q] && !neighbours.onCrease[v]) continue;
       sum += sizes[q];
       weight += sizes[q] > 0.0f ? 1.0f : 0.0f;
     }

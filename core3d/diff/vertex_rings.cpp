@@ -60,12 +60,11 @@ VertexNeighbours::VertexNeighbours(const TriangleMesh& mesh) {
 VertexRings::VertexRings(const VertexNeighbours& neighbours)
     : neighbours_(neighbours), seenBy_(neighbours.onCrease.size(), 0) {}
 
-void VertexRings::startAt(std::uint32_t v, bool acrossCreases) {
+void VertexRings::startAt(std::uint32_t v) {
   if (++round_ == 0) {
     std::fill(seenBy_.begin(), seenBy_.end(), 0u);
     round_ = 1;
   }
-  acrossCreases_ = acrossCreases;
   reached_.assign(1, v);
   ends_.assign(1, 1);
   seenBy_[v] = round_;
@@ -75,7 +74,7 @@ void VertexRings::grow() {
   const std::size_t end = ends_.back(), begin = ends_.size() > 1 ? ends_[ends_.size() - 2] : 0;
   for (std::size_t i = begin; i < end; ++i) {
     const std::uint32_t from = reached_[i];
-    if (i > 0 && !acrossCreases_ && neighbours_.onCrease[from]) continue;
+    if (i > 0 && neighbours_.onCrease[from]) continue;
     const auto around = neighbours_.of(from);
     const std::size_t step = 1 + (around.size() - 1) / kMostNeighbours;
     for (std::size_t k = 0; k < around.size(); k += step) {

@@ -29,9 +29,8 @@ class VertexRings {
  public:
   explicit VertexRings(const VertexNeighbours& neighbours);
 
-  /// Ring 0: the vertex alone. Rings pass creases only if `acrossCreases`: otherwise they reach
-  /// vertices on a crease and stop there, except at v itself.
-  void startAt(std::uint32_t v, bool acrossCreases = false);
+  /// Ring 0: the vertex alone. Rings reach vertices on a crease and stop there, except at v itself.
+  void startAt(std::uint32_t v);
   /// Adds the next ring; it is empty where the surface ends.
   void grow();
 
@@ -44,7 +43,6 @@ class VertexRings {
   std::vector<std::uint32_t> reached_;  // ring after ring
   std::vector<std::size_t> ends_;       // of the rings
   std::uint32_t round_ = 0;
-  bool acrossCreases_ = false;
 };
 
 }  // namespace flatland

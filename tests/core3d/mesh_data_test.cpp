@@ -18,12 +18,14 @@
 
 #include "core3d/io/read_mesh.h"
 #include "flatland/io/input_error.h"
+#include "tests/core3d/example_meshes.h"
 #include "tests/core3d/mesh_check.h"
 
 namespace flatland::test {
 namespace {
 
 namespace fs = std::filesystem;
+using MeshData = ExampleMeshes;
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool kSanitized = true;
@@ -33,25 +35,6 @@ constexpr bool kSanitized = false;
 
 constexpr double kSeconds = 1.0;  // of processor time, for a small file
 constexpr long kMegabytes = 200;  // of memory at most
-
-fs::path dataFolder() {
-  const char* asked = std::getenv("FLATLAND_DATA");
-  return asked ? fs::path(asked) : fs::path(FLATLAND_DATA_FOLDER);
-}
-
-// Without the data the test is skipped at home, and fails where everything must be there.
-class MeshData : public testing::Test {
- protected:
-  void SetUp() override {
-    const fs::path folder = dataFolder();
-    if (fs::is_directory(folder / "meshes") && fs::is_directory(folder / "messy")) return;
-    const char* ci = std::getenv("CI");
-    if (ci && std::string(ci) == "true") {
-      FAIL() << folder << " has no example meshes; set FLATLAND_DATA";
-    }
-    GTEST_SKIP() << "no example meshes in " << folder << "; set FLATLAND_DATA";
-  }
-};
 
 // The rows of an index's table, by file name.
 std::map<std::string, std::vector<std::string>> indexOf(const fs::path& folder) {
