@@ -21,7 +21,8 @@ float screenSlope(const SeenVertices& seen, std::uint32_t v) {
 
 }  // namespace
 
-void addApparentRidge(const Sight& sight, std::uint32_t triangle, Segments& out) {
+void addApparentRidge(const Sight& sight, std::uint32_t triangle, ContrastMemory& memory,
+                      Segments& out) {
   const SeenVertices& seen = sight.seen;
   const auto& v = sight.mesh.triangles[triangle];
   OrientedFace face;
@@ -38,7 +39,7 @@ void addApparentRidge(const Sight& sight, std::uint32_t triangle, Segments& out)
   if (sight.options.unfiltered) {
     addOriented(
         sight.mesh, triangle, face, false, false, 0.0f, strengthAt,
-        [](const Eigen::Vector3f&, const Eigen::Vector3f&) { return true; }, out);
+        [](const LineEnd&, const LineEnd&) { return true; }, out);
     return;
   }
   const CurvatureField field{sight.mesh,     seen.root.data(), seen.nw.data(),   seen.rx.data(),
@@ -58,9 +59,16 @@ void addApparentRidge(const Sight& sight, std::uint32_t triangle, Segments& out)
   addOriented(
       sight.mesh, triangle, face, true, sight.options.flatToo,
       sight.threshold(LineFamily::ApparentRidges), strengthAt,
-      [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-        return Contrast::mayFall(fallOfDerivative(face, derivative, a, b), curvature, reach) &&
-               standsOut(field, triangle, 0.5f * (a + b), reach);
+      [&](const LineEnd& a, const LineEnd& b) {
+        if (!Contrast::mayFall(fallOfDerivative(face, derivative, a.at, b.at), curvature, reach))
+          return false;
+        for (const LineNode node : {a.node, b.node}) {
+          if (const auto known = memory.recalled(node)) return *known;
+        }
+        const bool clear = standsOut(field, triangle, 0.5f * (a.at + b.at), reach);
+        memory.keep(a.node, clear);
+        memory.keep(b.node, clear);
+        return clear;
       },
       out);
 }

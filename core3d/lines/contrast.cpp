@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "core3d/lines/seen_vertices.h"
 
@@ -65,49 +66,72 @@ Step inside(const CurvatureField& field, std::uint32_t triangle, const Eigen::Ve
   return step;
 }
 
-bool fallsAlong(const CurvatureField& field, std::uint32_t triangle, Step at, float reach) {
+// A half-edge that the walk is about to leave a triangle by, and where.
+struct Exit {
+  std::uint32_t halfEdge;
+  float t;  // from its start
+};
+
+// From inside a triangle: the edge ahead that the line through the place along the direction meets.
+std::optional<Exit> firstExit(const TriangleMesh& mesh, std::uint32_t triangle, const Step& at,
+                              const Eigen::Vector3f& normal) {
+  const auto& v = mesh.triangles[triangle];
+  const Eigen::Vector3f p[3] = {mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
+  const Eigen::Vector3f across = normal.cross(at.direction);
+  std::optional<Exit> exit;
+  float farthest = 0.0f;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3f &a = p[k], &b = p[(k + 1) % 3];
+    const float sa = across.dot(a - at.place), sb = across.dot(b - at.place);
+    if ((sa > 0.0f) == (sb > 0.0f)) continue;
+    const float t = sa / (sa - sb);
+    const float ahead = at.direction.dot(a + t * (b - a) - at.place);
+    // One is ahead, the other behind; the place itself may lie on one of them.
+    if (!exit || ahead > farthest) {
+      exit = Exit{3 * triangle + k, t};
+      farthest = ahead;
+    }
+  }
+  return exit;
+}
+
+bool fallsAlong(const CurvatureField& field, std::uint32_t triangle, Step at,
+                const Eigen::Vector3f& normal, float reach) {
   // Enough for any reach on meshes of 10^9 triangles; stops a walk that goes in circles.
   constexpr int kMostSteps = 20000;
   const TriangleMesh& mesh = field.mesh;
   const float low = at.value * (1.0f - Contrast::kFall), high = at.value * (1.0f + Contrast::kFall);
   float walked = 0.0f;
-  std::uint32_t entry = TriangleMesh::kNone;  // half-edge of `triangle` that was crossed
+  std::optional<Exit> exit = firstExit(mesh, triangle, at, normal);
   for (int i = 0; i < kMostSteps; ++i) {
-    const auto& v = mesh.triangles[triangle];
-    const Eigen::Vector3f p[3] = {mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
-    const Eigen::Vector3f normal = (p[1] - p[0]).cross(p[2] - p[0]);
-    const Eigen::Vector3f across = normal.cross(at.direction);
-    float s[3];
-    for (std::size_t k = 0; k < 3; ++k) s[k] = across.dot(p[k] - at.place);
-    int exit = -1;
-    float exitT = 0.0f, farthest = 0.0f;
-    for (int k = 0; k < 3; ++k) {
-      const int next = (k + 1) % 3;
-      if (3 * triangle + static_cast<std::uint32_t>(k) == entry ||
-          (s[k] > 0.0f) == (s[next] > 0.0f))
-        continue;
-      const float t = s[k] / (s[k] - s[next]);
-      const float ahead = at.direction.dot(p[k] + t * (p[next] - p[k]) - at.place);
-      if (exit < 0 || ahead > farthest) {
-        exit = k;
-        exitT = t;
-        farthest = ahead;
-      }
-    }
-    if (exit < 0) return false;  // the direction turns back: a singular place of the field
-    const std::uint32_t halfEdge = 3 * triangle + static_cast<std::uint32_t>(exit);
-    const std::uint32_t a = v[static_cast<std::size_t>(exit)],
-                        b = v[static_cast<std::size_t>((exit + 1) % 3)];
+    // Without an exit the direction turns back: a singular place of the field.
+    if (!exit) return false;
+    const std::uint32_t a = mesh.vertexOf(exit->halfEdge),
+                        b = mesh.vertexOf(TriangleMesh::nextCorner(exit->halfEdge));
     if (field.flags && ((field.flags[a] | field.flags[b]) & VertexFlag::kSkipped)) return true;
-    const Step next = between(field, a, b, exitT, at.direction);
+    const Step next = between(field, a, b, exit->t, at.direction);
     if (!(next.value < high)) return false;  // also what is no number
     if (next.value <= low) return true;
     walked += (next.place - at.place).norm();
     if (!(walked < reach)) return false;
-    if (!mesh.hasOpposite(halfEdge)) return true;
-    entry = mesh.opposite[halfEdge];
-    triangle = entry / 3;
+    if (!mesh.hasOpposite(exit->halfEdge)) return true;
     at = next;
+    // The next triangle, b to a to c: out by a c or by c b.
+    const std::uint32_t entry = mesh.opposite[exit->halfEdge];
+    const std::uint32_t c = mesh.vertexOf(TriangleMesh::previousCorner(entry));
+    const Eigen::Vector3f toA = mesh.position(a) - at.place, toB = mesh.position(b) - at.place,
+                          toC = mesh.position(c) - at.place;
+    const Eigen::Vector3f across = (toA - toB).cross(toC).cross(at.direction);
+    const float sa = across.dot(toA), sb = across.dot(toB), sc = across.dot(toC);
+    exit.reset();
+    const bool byA = (sc > 0.0f) != (sa > 0.0f);
+    if (!byA && (sc > 0.0f) == (sb > 0.0f)) continue;
+    const float t = byA ? sa / (sa - sc) : sc / (sc - sb);
+    const Eigen::Vector3f to =
+        byA ? Eigen::Vector3f(toA + t * (toC - toA)) : Eigen::Vector3f(toC + t * (toB - toC));
+    if (at.direction.dot(to) >= 0.0f) {
+      exit = Exit{byA ? TriangleMesh::nextCorner(entry) : TriangleMesh::previousCorner(entry), t};
+    }
   }
   return false;
 }
@@ -122,9 +146,9 @@ bool standsOut(const CurvatureField& field, std::uint32_t triangle, const Eigen:
       (field.mesh.position(v[1]) - a).cross(field.mesh.position(v[2]) - a);
   Step at = inside(field, triangle, place, normal);
   if (!(at.value > 0.0f)) return false;
-  if (!fallsAlong(field, triangle, at, reach)) return false;
+  if (!fallsAlong(field, triangle, at, normal, reach)) return false;
   at.direction = -at.direction;
-  return fallsAlong(field, triangle, at, reach);
+  return fallsAlong(field, triangle, at, normal, reach);
 }
 
 }  // namespace flatland

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "core3d/mesh/triangle_mesh.h"
 
@@ -40,5 +42,28 @@ struct Contrast {
 /// Cost: about 10 ns for each triangle passed through.
 bool standsOut(const CurvatureField& field, std::uint32_t triangle, const Eigen::Vector3f& place,
                float reach);
+
+/// Answers of standsOut(), kept by the edges that a piece ends on: the next piece of the same line
+/// takes over the answer of its neighbour, the one after that asks again. Halves the walks. What is
+/// kept depends on the order of the triangles alone.
+class ContrastMemory {
+ public:
+  void clear() { answers_.assign(kSlots, {}); }
+  std::optional<bool> recalled(std::uint64_t node) const {
+    const Answer& answer = answers_[slot(node)];
+    return answer.known && answer.node == node ? std::optional(answer.standsOut) : std::nullopt;
+  }
+  void keep(std::uint64_t node, bool standsOut) { answers_[slot(node)] = {node, true, standsOut}; }
+
+ private:
+  struct Answer {
+    std::uint64_t node = 0;
+    bool known = false, standsOut = false;
+  };
+  // Neighbouring triangles are near each other in the walk, so a few thousand suffice.
+  static constexpr std::size_t kSlots = 8192;
+  static std::size_t slot(std::uint64_t node) { return (node * 0x9e3779b97f4a7c15u) >> 51; }
+  std::vector<Answer> answers_ = std::vector<Answer>(kSlots);
+};
 
 }  // namespace flatland

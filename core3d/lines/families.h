@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core3d/lines/contrast.h"
 #include "core3d/lines/crossings.h"
 #include "core3d/lines/feature_lines.h"
 #include "core3d/lines/seen_vertices.h"
@@ -36,7 +37,8 @@ void addContour(const Sight& sight, std::uint32_t triangle, Segments& out);
 /// Suggestive contours and suggestive highlights; nullptr: not wanted.
 void addSuggestive(const Sight& sight, std::uint32_t triangle, Segments* contours,
                    Segments* highlights);
-void addApparentRidge(const Sight& sight, std::uint32_t triangle, Segments& out);
+void addApparentRidge(const Sight& sight, std::uint32_t triangle, ContrastMemory& memory,
+                      Segments& out);
 void addIsophotes(const Sight& sight, std::uint32_t triangle, Segments& out);
 void addPrincipalHighlight(const Sight& sight, const SeenVertices& highlights,
                            std::uint32_t triangle, Segments& out);
@@ -74,7 +76,7 @@ void addPiece(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint 
 
 /// The maxima among the oriented crossings of a triangle, or all of them. `strengthAt(a, b, t)` is
 /// the strength between two vertices, `standsOut(a, b)` has the last word on a piece between two
-/// places, or with `flatToo` marks it.
+/// ends, or with `flatToo` marks it.
 template <typename Strength, typename Accepts>
 void addOriented(const TriangleMesh& mesh, std::uint32_t triangle, const OrientedFace& face,
                  bool maximaOnly, bool flatToo, float threshold, const Strength& strengthAt,
@@ -93,7 +95,7 @@ void addOriented(const TriangleMesh& mesh, std::uint32_t triangle, const Oriente
     const auto& [a, b, unused] = ends;
     if (!(std::max(a.strength, b.strength) >= threshold)) return;
     if (maximaOnly && !isMaximum(face, a.at, b.at)) return;
-    const bool clear = standsOut(a.at, b.at);
+    const bool clear = standsOut(a, b);
     if (clear || flatToo) out.push_back({a, b, triangle, 0, clear});
     return;
   }
@@ -106,7 +108,7 @@ void addOriented(const TriangleMesh& mesh, std::uint32_t triangle, const Oriente
     if (maximaOnly && !(pointsTowards(face.p[a], face.r[a], ends[i].at, middle.at) &&
                         pointsTowards(face.p[b], face.r[b], ends[i].at, middle.at)))
       continue;
-    const bool clear = standsOut(ends[i].at, middle.at);
+    const bool clear = standsOut(ends[i], middle);
     if (clear || flatToo) out.push_back({ends[i], middle, triangle, 0, clear});
   }
 }

@@ -34,16 +34,17 @@ struct LineFinder::State {
   VertexClusters clusters;
   std::vector<VertexRun> runs;
   SeenVertices seen, highlights;
+  ContrastMemory memory;
   std::array<std::optional<FixedLines>, kLineFamilyCount> fixed;
   Times times;
 
   void addFixed(LineFamily family, const LineOptions& options, Segments& out);
   Segments findFixed(LineFamily family, const LineOptions& options) const;
-  void walk(const Sight& sight, FeatureLines& lines) const;
+  void walk(const Sight& sight, FeatureLines& lines);
 };
 
 LineFinder::LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields)
-    : state_(new State{mesh, fields, VertexClusters(mesh, fields), {}, {}, {}, {}, {}}) {}
+    : state_(new State{mesh, fields, VertexClusters(mesh, fields), {}, {}, {}, {}, {}, {}}) {}
 LineFinder::~LineFinder() = default;
 LineFinder::LineFinder(LineFinder&&) noexcept = default;
 LineFinder& LineFinder::operator=(LineFinder&&) noexcept = default;
@@ -97,7 +98,8 @@ void LineFinder::State::addFixed(LineFamily family, const LineOptions& options, 
 }
 
 // All triangles once. Flags of the corners decide nearly always that there is nothing.
-void LineFinder::State::walk(const Sight& sight, FeatureLines& lines) const {
+void LineFinder::State::walk(const Sight& sight, FeatureLines& lines) {
+  memory.clear();
   const LineOptions& options = sight.options;
   const bool all = options.unfiltered;
   const auto wanted = [&](LineFamily family) -> Segments* {
@@ -127,7 +129,7 @@ void LineFinder::State::walk(const Sight& sight, FeatureLines& lines) const {
     if (differ == 0 || !(every & kKnown)) continue;
     if (differ & kFront) addContour(sight, t, *contours);
     if ((differ & kOctant) && (all || ((some & kStrong) && (every & kFront))))
-      addApparentRidge(sight, t, *apparent);
+      addApparentRidge(sight, t, memory, *apparent);
     if ((differ & kRadial) && (all || (some & kFront)))
       addSuggestive(sight, t, suggestive, highlight);
   }

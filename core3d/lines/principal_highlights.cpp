@@ -55,7 +55,7 @@ void addPrincipalHighlight(const Sight& sight, const SeenVertices& highlights,
       [&](std::uint32_t a, std::uint32_t b, float t) {
         return sight.size() * (highlights.root[a] + t * (highlights.root[b] - highlights.root[a]));
       },
-      [](const Eigen::Vector3f&, const Eigen::Vector3f&) { return true; }, out);
+      [](const LineEnd&, const LineEnd&) { return true; }, out);
 }
 
 }  // namespace flatland

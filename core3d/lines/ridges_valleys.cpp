@@ -51,11 +51,12 @@ Segments findRidges(const TriangleMesh& mesh, const SurfaceFields& fields, bool 
     addOriented(
         mesh, t, face, !unfiltered, true,
         unfiltered ? -std::numeric_limits<float>::infinity() : 0.0f, strengthAt,
-        [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+        [&](const LineEnd& a, const LineEnd& b) {
           if (unfiltered) return true;
           const float curvature = (value[v[0]] + value[v[1]] + value[v[2]]) / 3.0f;
-          return Contrast::mayFall(fallOfDerivative(face, derivative, a, b), curvature, reach) &&
-                 standsOut(field, t, 0.5f * (a + b), reach);
+          return Contrast::mayFall(fallOfDerivative(face, derivative, a.at, b.at), curvature,
+                                   reach) &&
+                 standsOut(field, t, 0.5f * (a.at + b.at), reach);
         },
         out);
   }
