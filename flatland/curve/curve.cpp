@@ -46,27 +46,47 @@ constexpr std::array<double, 4> kGaussNodes = {0.1834346424956498, 0.52553240991
 constexpr std::array<double, 4> kGaussWeights = {0.3626837833783620, 0.3137066458778873,
                                                  0.2223810344533745, 0.1012285362903763};
 
+/// A stretch's integral by the rule, and the largest value seen.
+struct GaussSum {
+  double value, largest;
+};
+
 template <class Integrand>
-double gauss(const Integrand& f, double low, double high) {
+GaussSum gauss(const Integrand& f, double low, double high) {
   const double centre = 0.5 * (low + high), half = 0.5 * (high - low);
-  double sum = 0.0;
+  GaussSum sum{0.0, 0.0};
   for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
     const double step = half * kGaussNodes[i];
-    sum += kGaussWeights[i] * (f(centre - step) + f(centre + step));
+    const double before = f(centre - step), after = f(centre + step);
+    sum.value += kGaussWeights[i] * (before + after);
+    sum.largest = std::max({sum.largest, std::abs(before), std::abs(after)});
   }
-  return half * sum;
+  sum.value *= half;
+  return sum;
 }
+
+// Halves that agree with the whole to this part of it do so to the rounding of a formula; halving
+// on would only halve the rounding, everywhere and to the last bit of the parameter.
+constexpr double kRoundOff = 0x1p-42;
+
+// Halvings in a row, which reach the last bits of t, and all told on one stretch: enough for two
+// places of infinite speed.
+constexpr int kMostHalvings = 50, kMostPanels = 250;
 
 /// The integral over a stretch, halved until halves and whole agree.
 template <class Integrand>
-ArcLength refined(const Integrand& f, double low, double high, double whole, double accuracy,
-                  int depth) {
+ArcLength refined(const Integrand& f, double low, double high, const GaussSum& whole,
+                  double accuracy, int depth, int& panels) {
   const double middle = 0.5 * (low + high);
-  const double first = gauss(f, low, middle), second = gauss(f, middle, high);
-  const double error = std::abs(first + second - whole);
-  if (error <= accuracy || depth == 0) return {first + second, error, error <= accuracy};
-  const ArcLength a = refined(f, low, middle, first, 0.5 * accuracy, depth - 1);
-  const ArcLength b = refined(f, middle, high, second, 0.5 * accuracy, depth - 1);
+  const GaussSum first = gauss(f, low, middle), second = gauss(f, middle, high);
+  const double sum = first.value + second.value;
+  const double error = std::abs(sum - whole.value);
+  const double roundOff = kRoundOff * (high - low) * std::max(first.largest, second.largest);
+  if (error <= std::max(accuracy, roundOff) || depth == 0 || --panels <= 0) {
+    return {sum, std::max(error, roundOff), error <= accuracy};
+  }
+  const ArcLength a = refined(f, low, middle, first, 0.5 * accuracy, depth - 1, panels);
+  const ArcLength b = refined(f, middle, high, second, 0.5 * accuracy, depth - 1, panels);
   return {a.value + b.value, a.errorEstimate + b.errorEstimate, a.converged && b.converged};
 }
 
@@ -121,16 +141,30 @@ ArcLength arcLength(const Curve& curve, double t0, double t1, double accuracy) {
     forward.value = -forward.value;
     return forward;
   }
-  const std::vector<double> ends = stretchEnds(curve);
-  const double share = accuracy / static_cast<double>(ends.size());
+  // A formula has up to thousands of stretches, and is asked for many short lengths.
+  const auto* formula = std::get_if<FormulaCurve>(&curve);
+  const std::size_t count =
+      formula ? formula->cuts().size() - 1 : static_cast<std::size_t>(pieceCount(curve));
+  const auto end = [&](std::size_t i) {
+    return formula ? formula->cuts()[i] : static_cast<double>(i);
+  };
+  const double share = accuracy / static_cast<double>(count);
+  std::size_t i = 0;
+  if (formula) {
+    const auto after = std::upper_bound(formula->cuts().begin(), formula->cuts().end(), t0);
+    i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - formula->cuts().begin() - 1, 0));
+  } else {
+    i = static_cast<std::size_t>(locate(curve, t0).piece);
+  }
   ArcLength total{0.0, 0.0, true};
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double low = std::max(t0, ends[i]), high = std::min(t1, ends[i + 1]);
+  for (; i < count && end(i) < t1; ++i) {
+    const double low = std::max(t0, end(i)), high = std::min(t1, end(i + 1));
     if (!(low < high)) continue;
     const int piece = locate(curve, 0.5 * (low + high)).piece;
     const auto speed = [&](double t) { return jetAt(curve, piece, t - piece).d1.norm(); };
-    constexpr int kMostHalvings = 24;
-    const ArcLength part = refined(speed, low, high, gauss(speed, low, high), share, kMostHalvings);
+    int panels = kMostPanels;
+    const ArcLength part =
+        refined(speed, low, high, gauss(speed, low, high), share, kMostHalvings, panels);
     total.value += part.value;
     total.errorEstimate += part.errorEstimate;
   }
@@ -208,7 +242,7 @@ double twiceSignedArea(const Curve& curve) {
     };
     const double step = (ends[i + 1] - ends[i]) / kParts;
     for (int k = 0; k < kParts; ++k) {
-      area += gauss(swept, ends[i] + k * step, ends[i] + (k + 1) * step);
+      area += gauss(swept, ends[i] + k * step, ends[i] + (k + 1) * step).value;
     }
   }
   return area;

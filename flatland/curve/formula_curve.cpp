@@ -53,10 +53,46 @@ std::optional<double> poleBetween(const Value& value, double low, double high) {
   return std::nullopt;
 }
 
+// The infinity of a function that keeps its sign between two places, as 1/t^2 does: where it is
+// largest it goes on growing however near one comes, by a power of the distance of 0.1 or more.
+template <class Value>
+std::optional<double> evenPoleIn(const Value& value, double low, double high, double least) {
+  const auto size = [&](double t) { return std::abs(value(t)); };
+  const double golden = 0.5 * (3.0 - std::sqrt(5.0));
+  double a = low + golden * (high - low), b = high - golden * (high - low);
+  double fa = size(a), fb = size(b);
+  constexpr int kSteps = 80, kHope = 20;
+  for (int i = 0; i < kSteps && low < a && a < b && b < high; ++i) {
+    if (!std::isfinite(fa) || !std::isfinite(fb)) return std::isfinite(fa) ? b : a;
+    if (i == kHope && std::max(fa, fb) < 1.5 * least) return std::nullopt;  // a plain maximum
+    if (fa > fb) {
+      high = b, b = a, fb = fa;
+      a = low + golden * (high - low), fa = size(a);
+    } else {
+      low = a, a = b, fa = fb;
+      b = high - golden * (high - low), fb = size(b);
+    }
+  }
+  const double top = fa > fb ? a : b;
+  constexpr double kGrowth = 1.5;  // over a factor 64 of the distance
+  double before = 0.0;
+  for (const double apart : {0x1p-24, 0x1p-30, 0x1p-36, 0x1p-42}) {
+    const double here = std::min(size(top - apart), size(top + apart));
+    if (!(here > kGrowth * before)) return std::nullopt;
+    before = here;
+  }
+  return top;
+}
+
+thread_local std::uint64_t evaluationCount = 0;
+
 }  // namespace
+
+std::uint64_t FormulaCurve::evaluations() { return evaluationCount; }
 
 template <int N>
 void FormulaCurve::Compiled::evaluate(int piece, double t, Taylor<N>& px, Taylor<N>& py) const {
+  ++evaluationCount;
   if (const auto* family = std::get_if<FamilyCurve>(&source)) {
     flatland::evaluate(*family, piece, Taylor<N>::variable(t), px, py);
     return;
@@ -138,6 +174,8 @@ FormulaCurve::Result FormulaCurve::finished(std::shared_ptr<Compiled> compiled, 
   const FormulaCurve curve(compiled, Vec2::Zero());
   // A prime number of steps, so that a swing does not hide between them.
   const int steps = typed ? 2003 : 211;
+  // A value must stand out so far from its neighbours for a pole to be looked for.
+  constexpr double kPeak = 1.05;
   Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
   const auto noValue = [&](Field field, double t, const char* what) {
     const std::string name = field == Field::X ? "x" : "y";
@@ -161,6 +199,14 @@ FormulaCurve::Result FormulaCurve::finished(std::shared_ptr<Compiled> compiled, 
           const auto value = [&](double s) { return curve.pointAt(piece, s)[k]; };
           const auto pole = poleBetween(value, static_cast<double>(i - 1) / steps, t);
           if (pole) return noValue(field, *pole, " grows beyond all bounds");
+          if (i < 2) continue;
+          const double step = 1.0 / steps, before = std::abs(value(t - 2.0 * step));
+          const double middle = std::abs(value(t - step)), here = std::abs(value(t));
+          if (!(middle > 0.0) || middle < before || middle < here ||
+              middle < kPeak * std::min(before, here))
+            continue;
+          const auto even = evenPoleIn(value, t - 2.0 * step, t, middle);
+          if (even) return noValue(field, *even, " grows beyond all bounds");
         }
       }
       low = low.cwiseMin(p);

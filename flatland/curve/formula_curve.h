@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,6 +66,10 @@ class FormulaCurve {
   /// Parameters in order from 0 to pieceCount(), among them every joint, between which the curve is
   /// nearly a cubic (to 1/1000 of its size): for sampling and for coarse searches.
   const std::vector<double>& cuts() const { return shared_->cuts; }
+
+  /// How often formulas have been evaluated by this thread: what the budgets of
+  /// docs/decisions/0022-budgets.md are counted in. A place with its derivatives counts once.
+  static std::uint64_t evaluations();
 
   bool operator==(const FormulaCurve& other) const {
     return at_ == other.at_ &&

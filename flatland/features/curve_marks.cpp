@@ -55,6 +55,18 @@ class CurveMarker {
     if (arcs.empty()) {
       result_.degenerate.push_back({Degenerate::What::Point, 0, index + 0.0, index + 1.0});
     }
+    // Cuts at kinks and cusps leave no more than a few units in the last place between arcs.
+    constexpr double kStandsStill = 1e-9;
+    double covered = arcs.empty() ? 1.0 : 0.0;
+    const auto addStillUpTo = [&](double t) {
+      if (t - covered <= kStandsStill) return;
+      result_.degenerate.push_back({Degenerate::What::Point, 0, index + covered, index + t});
+    };
+    for (const std::unique_ptr<ViewedArc>& arc : arcs) {
+      addStillUpTo(arc->tLow);
+      covered = arc->tHigh;
+    }
+    addStillUpTo(1.0);
     for (std::unique_ptr<ViewedArc>& arc : arcs) {
       if (arc->straight) {
         const auto what = arc->endOn ? Degenerate::What::StraightEndOn : Degenerate::What::Straight;

@@ -62,7 +62,7 @@ struct Unresolved {
 /// A piece of a curve on which some kinds of mark are undefined by nature, with the stated answer.
 struct Degenerate {
   enum class What {
-    Point,              ///< all control points coincide: no marks
+    Point,              ///< all of it is one point (a formula may stand still): no marks
     Straight,           ///< k = 0 throughout: no inflections, extrema or apparent ridges
     StraightEndOn,      ///< straight and seen end-on: every point is a silhouette, none is marked
     ConstantCurvature,  ///< part of a circle: no extrema of k
@@ -88,10 +88,12 @@ struct FeatureSet {
   std::vector<Degenerate> degenerate;
   std::vector<CurveSearch> searches;  ///< one for each curve that was examined, in order
 
-  /// True if every mark was found and none invented: with certified signs, or, where a curve is no
-  /// polynomial, within the errorBound() of its proxies. Within kJointWindow of a
-  /// smooth joint marks are judged by the net change across it, and next to a cusp the certificate
-  /// is for the curve with the cusp made exact (tolerances.h).
+  /// True if nothing is left open. If also certified(), every mark was found and none is invented,
+  /// with proof. Where a curve is no polynomial it says less: that holds for any function within
+  /// errorBound() of the one sampled, and what is narrower than the samples (1/500 of an arc, 1/30
+  /// of a proxy's piece) can have escaped it. Within kJointWindow of a smooth joint marks are
+  /// judged by the net change across it, and next to a cusp the certificate is for the curve with
+  /// the cusp made exact (tolerances.h).
   bool complete() const { return unresolved.empty(); }
 
   /// True if no proxies were needed.
@@ -102,7 +104,8 @@ struct FeatureSet {
 
 /// All marks of the scene. Every kind comes from the roots of a polynomial that are isolated with
 /// certified signs (roots/isolate.h), or on a curve without Bezier form from proxies
-/// (roots/chebyshev.h); see docs/math/features.md for the polynomials and for the
+/// (roots/chebyshev.h), on which a budget is spent and no more
+/// (docs/decisions/0022-budgets.md); see docs/math/features.md for the polynomials and for the
 /// answers in degenerate cases. t is accurate to its last bits where the root is simple, u to 1e-12
 /// of the curve's length. Invariant under rotation of scene and view together, scaling,
 /// reversal and splitting. Cost: about 0.1 ms of a 2.5 GHz core for one curve of 5 control points

@@ -171,11 +171,23 @@ ArcEnd endOf(const PieceDerivatives& derivatives, double t, int inwards,
   return {4, near / near.norm(), false};
 }
 
+/// What one of the arcs of a piece may spend: a piece of many arcs as much as one of a few.
+ProxyBudget budgetOf(std::size_t arcs) {
+  constexpr std::size_t kArcsInFull = 4;
+  constexpr int kFewestProbes = 61;
+  ProxyBudget budget;
+  if (arcs <= kArcsInFull) return budget;
+  const double share = static_cast<double>(kArcsInFull) / static_cast<double>(arcs);
+  budget.probes = std::max(kFewestProbes, static_cast<int>(share * budget.probes));
+  budget.evaluations = static_cast<int>(share * budget.evaluations);
+  return budget;
+}
+
 class ProxyArc final : public ViewedArc {
  public:
   ProxyArc(const PieceDerivatives& derivatives, int index, double low, double high,
-           const ViewFrame& frame)
-      : derivatives_(derivatives), frame_(frame) {
+           const ViewFrame& frame, const ProxyBudget& budget)
+      : derivatives_(derivatives), frame_(frame), budget_(budget) {
     piece = index;
     tLow = low;
     tHigh = high;
@@ -248,7 +260,7 @@ class ProxyArc final : public ViewedArc {
     std::optional<ProxyRoots>& known = proxies_[static_cast<std::size_t>(function)];
     if (!known) {
       known = proxyRoots([&](double s) { return valueAt(function, s); },
-                         {start_.zeros > 0, finish_.zeros > 0});
+                         {start_.zeros > 0, finish_.zeros > 0}, budget_);
     }
     return *known;
   }
@@ -319,6 +331,7 @@ class ProxyArc final : public ViewedArc {
 
   const PieceDerivatives derivatives_;
   const ViewFrame frame_;
+  const ProxyBudget budget_;
   ArcEnd start_, finish_;
   mutable std::array<std::optional<ProxyRoots>, kArcFunctionCount> proxies_;
   mutable std::unordered_map<double, Derivatives> samples_;
@@ -423,7 +436,8 @@ std::vector<std::unique_ptr<ViewedArc>> proxyArcs(const PieceDerivatives& deriva
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double low = cuts[i].after, high = cuts[i + 1].before;
     if (!(high > low) || !(reachesOf(scaled, low, high)[1] > kPoint)) continue;
-    arcs.push_back(std::make_unique<ProxyArc>(scaled, index, low, high, scaledFrame));
+    arcs.push_back(std::make_unique<ProxyArc>(scaled, index, low, high, scaledFrame,
+                                              budgetOf(cuts.size() - 1)));
     for (std::optional<double>* k : {&arcs.back()->startCurvature, &arcs.back()->endCurvature}) {
       if (*k) **k *= scale;
     }

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <queue>
 
 namespace flatland {
 
@@ -27,16 +28,11 @@ constexpr double kTailSafety = 4.0;
 // Values below this part of their size cannot be told from zero: jets of formulas lose some bits.
 constexpr double kZero = 0x1p-43;
 
-// Pieces narrower than this are not halved, and there are never more pieces than that.
+// Pieces narrower than this are not halved.
 constexpr double kMinWidth = 0x1p-40;
-constexpr int kMaxPieces = 600;
 
 // Sizes below this have lost bits to underflow: nothing is known there.
 constexpr double kSmallestSize = 1e-290;
-
-// Places over [0, 1] at which the proxies must agree with the function, whatever their pieces: what
-// is narrower than the nodes of a piece but not than these is seen. A prime number.
-constexpr int kProbes = 503;
 
 // Places off the grid at which a proxy must agree with its function, in [0, 1].
 constexpr std::array<double, 4> kChecks = {0.03713, 0.29387, 0.61803, 0.88629};
@@ -143,16 +139,17 @@ struct Proxy {
 
 class ProxyFinder {
  public:
-  ProxyFinder(const MeasuredFunction& f, KnownEnds ends) : f_(f) {
+  ProxyFinder(const MeasuredFunction& f, KnownEnds ends, const ProxyBudget& budget)
+      : function_(f), budget_(budget) {
     const auto isZero = [](const Measured& m) { return !(std::abs(m.value) > kZero * m.size); };
-    const Measured start = f(0.0), finish = f(1.0);
+    const Measured start = f_(0.0), finish = f_(1.0);
     zeroAtStart_ = ends.zeroAtStart || (std::isfinite(start.value) && isZero(start));
     zeroAtFinish_ = ends.zeroAtFinish || (std::isfinite(finish.value) && isZero(finish));
   }
 
   ProxyRoots run() {
-    for (int i = 0; i < kProbes; ++i) {
-      const double t = (i + 0.5) / kProbes;
+    for (int i = 0; i < budget_.probes; ++i) {
+      const double t = (i + 0.5) / budget_.probes;
       probes_.push_back({t, f_(t)});
     }
     const Proxy whole = proxyOn(0.0, 1.0, kDegree);
@@ -162,11 +159,31 @@ class ProxyFinder {
       return std::move(result_);
     }
     process(0.0, 1.0, whole);
+    while (!open_.empty()) {
+      const Stretch next = open_.top();
+      open_.pop();
+      process(next.low, next.high, proxyOn(next.low, next.high));
+    }
     finish();
     return std::move(result_);
   }
 
  private:
+  // Widest first: a place that takes all there is to spend, a jump say, must not leave the rest of
+  // the function unseen.
+  struct Stretch {
+    double low, high;
+    bool operator<(const Stretch& other) const {
+      const double own = high - low, others = other.high - other.low;
+      return own != others ? own < others : low > other.low;
+    }
+  };
+
+  Measured f_(double t) const {
+    ++evaluations_;
+    return function_(t);
+  }
+
   Proxy proxyOn(double low, double high, int degree) {
     const int n = degree + 1;
     const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
@@ -241,7 +258,7 @@ class ProxyFinder {
   }
 
   void process(double low, double high, const Proxy& proxy) {
-    const bool last = high - low <= kMinWidth || ++count_ > kMaxPieces;
+    const bool last = high - low <= kMinWidth || evaluations_ >= budget_.evaluations;
     const bool underflows = proxy.finite && !(proxy.largestSize >= kSmallestSize);
     if (!underflows && (!proxy.finite || (!proxy.converged && !isNoise(low, high, proxy)))) {
       if (!last) return divide(low, high);
@@ -285,8 +302,8 @@ class ProxyFinder {
       if (clear > 1e-3) break;  // far from any root
     }
     const double middle = low + best * (high - low);
-    process(low, middle, proxyOn(low, middle));
-    process(middle, high, proxyOn(middle, high));
+    open_.push({low, middle});
+    open_.push({middle, high});
   }
 
   void giveUp(double low, double high, int degree, double blur) {
@@ -391,16 +408,21 @@ class ProxyFinder {
     open = std::move(merged);
     std::sort(result_.roots.roots.begin(), result_.roots.roots.end(),
               [](const Root& a, const Root& b) { return a.t < b.t; });
+    std::sort(result_.pieces.begin(), result_.pieces.end(),
+              [](const ProxyPiece& a, const ProxyPiece& b) { return a.low < b.low; });
+    result_.evaluations = evaluations_;
   }
 
-  const MeasuredFunction& f_;
+  const MeasuredFunction& function_;
+  const ProxyBudget budget_;
+  mutable int evaluations_ = 0;
   bool zeroAtStart_ = false, zeroAtFinish_ = false, allZero_ = false;
   struct Probe {
     double t;
     Measured seen;
   };
   std::vector<Probe> probes_;  // ascending
-  int count_ = 0;
+  std::priority_queue<Stretch> open_;
   ProxyRoots result_;
 };
 
@@ -417,8 +439,8 @@ double ProxyRoots::errorBound() const {
   return bound;
 }
 
-ProxyRoots proxyRoots(const MeasuredFunction& f, KnownEnds ends) {
-  return ProxyFinder(f, ends).run();
+ProxyRoots proxyRoots(const MeasuredFunction& f, KnownEnds ends, const ProxyBudget& budget) {
+  return ProxyFinder(f, ends, budget).run();
 }
 
 std::vector<double> chebyshevCoefficients(const std::function<double(double)>& f, double low,

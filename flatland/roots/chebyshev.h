@@ -36,6 +36,7 @@ struct ProxyRoots {
   /// `identicallyZero` where no sampled value exceeds 1e-13 of its size.
   Roots roots;
   std::vector<ProxyPiece> pieces;  ///< ascending; they cover [0, 1]
+  int evaluations = 0;             ///< of the function, all told
 
   /// The largest error of the pieces that decided anything (those inside unresolved intervals are
   /// left out: there the answer is "unknown").
@@ -46,6 +47,17 @@ struct ProxyRoots {
 struct KnownEnds {
   bool zeroAtStart = false;  ///< vanishes at 0 by construction, to any order; rounding may hide it
   bool zeroAtFinish = false;
+};
+
+/// How much may be spent on one function (docs/decisions/0022-budgets.md).
+struct ProxyBudget {
+  /// Places spread over [0, 1] at which the proxies must agree with the function, whatever their
+  /// pieces: what is narrower than the nodes of a piece but not than these is seen. A prime number.
+  int probes = 503;
+  /// Once the function has been asked so often, no piece is halved any more: what is open then is
+  /// listed as unresolved. The pieces already begun are finished, so at most three times as many
+  /// spent. A sine of 300 waves needs about half.
+  int evaluations = 20000;
 };
 
 /// Roots of a function that is smooth but no polynomial: Chebyshev interpolants of degree up to 32
@@ -59,9 +71,12 @@ struct KnownEnds {
 /// the function comes nearer to 0 than the error without crossing (double roots and near misses)
 /// and what is left around a jump, a pole or a kink when pieces become narrower than 2^-40. An end
 /// at which the value is within 1e-13 of its size of zero is a root at that end, with a
-/// multiplicity counted in the same sense. Cost: about 60 evaluations and 0.05 ms a piece; one
-/// piece for a function as calm as one wave. Terminates on any input.
-ProxyRoots proxyRoots(const MeasuredFunction& f, KnownEnds ends = {});
+/// multiplicity counted in the same sense. What is left when the budget is spent is unresolved too;
+/// the widest piece is halved first, so that it goes to no single place. Cost: the probes once, and
+/// about 60 evaluations and 0.05 ms a piece; one piece for a function as calm as one wave.
+/// Terminates on any input.
+ProxyRoots proxyRoots(const MeasuredFunction& f, KnownEnds ends = {},
+                      const ProxyBudget& budget = {});
 
 /// The Chebyshev coefficients of the interpolant of f on [low, high] in the degree + 1 points of
 /// the first kind, lowest first: p(x) = sum_j c_j T_j((2 x - low - high) / (high - low)).

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numbers>
 
 #include "flatland/features/curve_marks.h"
@@ -16,15 +18,23 @@ namespace {
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kMaxAngleStepDeg = 2.0;
 constexpr double kMaxLengthStep = 0.01;  // of the curve
-// Enough for a tangent that turns within 1e-8 of a branch. Where the speed vanishes to second order
-// angles within about 1e-5 of the place are noise, which no halving smooths: some thousand samples.
+// Enough for a tangent that turns within 1e-8 of a branch. Where the speed
+// vanishes to second order angles within about 1e-5 of the place are noise,
+// which no halving smooths: some thousand samples.
 constexpr int kMaxHalvings = 28;
 constexpr double kLengthAccuracy = 1e-12;  // of the control polygon
 
+// What may be spent on closeness beyond 16 steps a branch: of a curve, and of a
+// scene (docs/decisions/0022-budgets.md). The default curve takes 500 points, a
+// circle of four pieces 800.
+constexpr int kMostPointsOfCurve = 20000;
+constexpr int kMostPointsOfScene = 400000;
+constexpr int kLeastHalvings = 4;
+
 double angleDegOf(const Vec2& v) { return std::atan2(v.y(), v.x()) * kDegPerRad; }
 
-// The view from which the point is a root of dlambda/du. The left normal serves: w and -w are the
-// same.
+// The view from which the point is a root of dlambda/du. The left normal
+// serves: w and -w are the same.
 double ridgeAngleDeg(const Jet& jet) {
   const Frame f = frameOf(jet);
   // t lies at -90 degrees from the left normal.
@@ -36,10 +46,11 @@ double silhouetteAngleDeg(const Jet& jet) { return angleDegOf(jet.d1); }
 /// Sweeps one curve.
 class CurveSweeper {
  public:
-  CurveSweeper(int index, const Curve& curve, int side, Sweep& result)
+  CurveSweeper(int index, const Curve& curve, int side, int budget, Sweep& result)
       : index_(index),
         curve_(curve),
         side_(side),
+        budget_(budget),
         result_(result),
         accuracy_(kLengthAccuracy * lengthScale(curve)),
         extent_(boundsOf(curve).diagonal()) {
@@ -51,8 +62,6 @@ class CurveSweeper {
     addLines();
     for (int i = 0; i < pieceCount(curve_); ++i) {
       piece_ = i;
-      pieceStart_ = i == 0 ? 0.0 : pieceStart_ + pieceLength_;
-      pieceLength_ = lengthBetween(0.0, 1.0);
       for (const auto& arc : viewedArcs(curve_, i, frameOf(View{}), extent_)) {
         if (!arc->straight) addArc(*arc);
       }
@@ -64,7 +73,17 @@ class CurveSweeper {
     return arcLength(curve_, piece_ + low, piece_ + high, accuracy_).value;
   }
 
-  double lengthAt(double t) const { return pieceStart_ + lengthBetween(0.0, t); }
+  // Up to a place of the piece: from the nearest one before it whose length is
+  // known.
+  double lengthAt(double t) {
+    const double at = piece_ + t;
+    const auto after = known_.upper_bound(at);
+    const auto [from, length] = *std::prev(after);
+    if (from == at) return length;
+    const double u = length + arcLength(curve_, from, at, accuracy_).value;
+    known_.emplace_hint(after, at, u);
+    return u;
+  }
 
   void addLines() {
     // Any view will do: with the side given, these kinds do not depend on it.
@@ -82,8 +101,8 @@ class CurveSweeper {
         default:
           break;
       }
-      const double t = mark.piece + mark.t;
-      result_.lines.push_back({mark.kind, index_, t, arcLength(curve_, 0.0, t, accuracy_).value});
+      piece_ = mark.piece;
+      result_.lines.push_back({mark.kind, index_, mark.piece + mark.t, lengthAt(mark.t)});
     }
   }
 
@@ -95,8 +114,9 @@ class CurveSweeper {
       for (const Root& root : roots.roots) {
         if (root.t <= 0.0 || root.t >= 1.0 || !root.isCrossing()) continue;
         const double t = arc.parameter(root.t);
-        // Where curvature is extreme the direction may turn by half a turn within a hair's breadth,
-        // which sampling from afar would take for no turn at all: branches are cut there too.
+        // Where curvature is extreme the direction may turn by half a turn
+        // within a hair's breadth, which sampling from afar would take for no
+        // turn at all: branches are cut there too.
         cuts.push_back(t);
         const Jet jet = jetAt(curve_, piece_, t);
         const double angle = what == SweepEvent::What::MeetsSilhouette ? silhouetteAngleDeg(jet)
@@ -120,14 +140,16 @@ class CurveSweeper {
     }
   }
 
-  // Samples a branch from both ends inwards until neighbours are close. At a cusp the direction is
-  // that of the limit, so the ends are taken a hair inside.
+  // Samples a branch from both ends inwards until neighbours are close. At a
+  // cusp the direction is that of the limit, so the ends are taken a hair
+  // inside.
   template <class Angle>
   void addBranch(MarkKind kind, double low, double high, Angle angleOf) {
     const auto sample = [&](double t) {
       return SweepPoint{angleOf(jetAt(curve_, piece_, t)), piece_ + t, 0.0};
     };
-    // Where the speed vanishes to a higher order it rounds to 0 a hair inside too.
+    // Where the speed vanishes to a higher order it rounds to 0 a hair inside
+    // too.
     const auto endSample = [&](double end, double inwards) {
       double hair = 0x1p-40;
       SweepPoint point = sample(end + hair * inwards);
@@ -157,8 +179,11 @@ class CurveSweeper {
     to.angleDeg = from.angleDeg + halfTurnDeg(to.angleDeg - from.angleDeg);
     const double chord = (pointAt(curve_, to.t) - pointAt(curve_, from.t)).norm();
     const bool close = std::abs(to.angleDeg - from.angleDeg) <= kMaxAngleStepDeg &&
-                       chord <= kMaxLengthStep * length_ && depth >= 4;
-    if (close || depth == kMaxHalvings) {
+                       chord <= kMaxLengthStep * length_ && depth >= kLeastHalvings;
+    const bool spent = depth >= kLeastHalvings && budget_ <= 0;
+    if (spent && !close) result_.fine = false;
+    if (close || spent || depth == kMaxHalvings) {
+      --budget_;
       branch.points.push_back(to);
       return;
     }
@@ -170,10 +195,11 @@ class CurveSweeper {
   int index_;
   const Curve& curve_;
   int side_;
+  int budget_;
   Sweep& result_;
   double accuracy_, extent_, length_ = 0.0;
   int piece_ = 0;
-  double pieceStart_ = 0.0, pieceLength_ = 0.0;
+  std::map<double, double> known_{{0.0, 0.0}};  // arc lengths up to chain parameters
 };
 
 }  // namespace
@@ -186,10 +212,17 @@ double halfTurnDeg(double angleDeg) {
 Sweep sweepOf(const Scene& scene) {
   const ViewFrame frame = frameOf(scene.view);
   Sweep result;
+  int left = kMostPointsOfScene;
+  std::size_t counted = 0;
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
     const SceneCurve& curve = scene.curves[i];
     result.certified = result.certified && bezierForm(curve.shape) != nullptr;
-    CurveSweeper(static_cast<int>(i), curve.shape, normalSide(curve, frame), result).run();
+    CurveSweeper(static_cast<int>(i), curve.shape, normalSide(curve, frame),
+                 std::min(kMostPointsOfCurve, left), result)
+        .run();
+    for (; counted < result.branches.size(); ++counted) {
+      left -= static_cast<int>(result.branches[counted].points.size());
+    }
   }
   std::sort(result.events.begin(), result.events.end(),
             [](const SweepEvent& a, const SweepEvent& b) {

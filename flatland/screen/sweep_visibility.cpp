@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "flatland/screen/visibility.h"
+#include "flatland/screen/sight_rays.h"
 
 namespace flatland {
 
@@ -11,8 +11,9 @@ namespace {
 
 constexpr int kDegrees = 360;
 
-// The whole degrees stand a hair off the axes: exactly along an axis a scene of round
-// numbers has its sights through joints and ends, where a touch counts as hiding.
+// The whole degrees stand a hair off the axes: exactly along an axis a scene of
+// round numbers has its sights through joints and ends, where a touch counts as
+// hiding.
 constexpr double kOffAxisDeg = 1e-3;
 
 }  // namespace
@@ -23,30 +24,40 @@ bool SweepVisibility::lineAt(std::size_t line, double angleDeg) const {
   return lines[line][static_cast<std::size_t>(wrapped)];
 }
 
-SweepVisibility visibilityOf(const Sweep& sweep, Scene scene, const std::function<bool()>& goOn) {
+std::size_t SweepVisibility::raysFor(const Sweep& sweep) {
+  std::size_t rays = kDegrees * sweep.lines.size();
+  for (const SweepBranch& branch : sweep.branches) rays += 2 * branch.points.size();
+  return rays;
+}
+
+SweepVisibility visibilityOf(const Sweep& sweep, const Scene& scene,
+                             const std::function<bool()>& goOn) {
   SweepVisibility result;
-  const auto at = [&scene](double angleDeg) {
-    scene.view = {normalizedDeg(angleDeg), std::nullopt};
-    return Visibility(scene);
-  };
+  result.marked = SweepVisibility::raysFor(sweep) <= SweepVisibility::kMostRays;
+  if (!result.marked) {
+    for (const SweepBranch& branch : sweep.branches) {
+      result.branches.emplace_back(branch.points.size(), std::uint8_t{3});
+    }
+    result.lines.assign(sweep.lines.size(), std::vector<bool>(kDegrees, true));
+    return result;
+  }
+  const SightRays rays(scene);
   for (const SweepBranch& branch : sweep.branches) {
     std::vector<std::uint8_t>& seen = result.branches.emplace_back();
     for (const SweepPoint& point : branch.points) {
       if (goOn && !goOn()) return {};
       std::uint8_t bits = 0;
-      if (at(point.angleDeg).isVisible(branch.curve, point.t)) bits |= 1;
-      if (at(point.angleDeg + 180.0).isVisible(branch.curve, point.t)) bits |= 2;
+      const double angleDeg = normalizedDeg(point.angleDeg);
+      if (rays.isVisible(branch.curve, point.t, angleDeg)) bits |= 1;
+      if (rays.isVisible(branch.curve, point.t, normalizedDeg(angleDeg + 180.0))) bits |= 2;
       seen.push_back(bits);
     }
   }
-  result.lines.assign(sweep.lines.size(), std::vector<bool>(kDegrees));
-  if (sweep.lines.empty()) return result;
-  for (int degree = 0; degree < kDegrees; ++degree) {
+  for (const SweepLine& line : sweep.lines) {
     if (goOn && !goOn()) return {};
-    const Visibility visibility = at(degree - kDegrees / 2 + kOffAxisDeg);
-    for (std::size_t i = 0; i < sweep.lines.size(); ++i) {
-      result.lines[i][static_cast<std::size_t>(degree)] =
-          visibility.isVisible(sweep.lines[i].curve, sweep.lines[i].t);
+    std::vector<bool>& seen = result.lines.emplace_back();
+    for (int degree = 0; degree < kDegrees; ++degree) {
+      seen.push_back(rays.isVisible(line.curve, line.t, degree - kDegrees / 2 + kOffAxisDeg));
     }
   }
   return result;

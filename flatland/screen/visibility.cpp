@@ -8,243 +8,352 @@
 #include <optional>
 #include <vector>
 
-#include "flatland/features/viewed_arc.h"
+#include "flatland/screen/sight.h"
 
 namespace flatland {
 
 namespace {
 
-// Points of a part within this parameter distance of a mark are the mark's own neighbourhood: near
-// a fold the depth changes with the square root of the screen coordinate, so rounding of the latter
-// (1e-16) shifts the parameter by 1e-8.
-constexpr double kSameParameter = 1e-7;
-
-// Nearer to the viewer by less than this, relative to the scene's size, is the same place.
-constexpr double kSameDepth = 1e-9;
-
-// Images nearer than this, relative to the scene's size, are one: the rounding of a view direction.
-constexpr double kSameImage = 1e-12;
-
-// Samples between two possible changes of visibility, to catch where curves cross.
+// Samples between two neighbouring images of edges, to catch where curves
+// cross.
 constexpr int kSamples = 16;
+constexpr int kFewestSamples = 4;
+constexpr int kMostSamples = 2000;  // all told, unless the fewest are more
 
-/// A stretch of a piece whose image on the screen does not fold: each line of sight meets it once.
-struct Part {
-  int curve;
-  int piece;
-  double low, high;      ///< local parameter
-  double atLow, atHigh;  ///< screen coordinate at the ends; infinite where the image runs off
+/// Finds the parts that lie over a place of the screen, nearest first: a tree
+/// over the parts by their image, each node with the span and the nearest of
+/// what is below it.
+class PartTree {
+ public:
+  explicit PartTree(const std::vector<SightPart>& parts) : parts_(parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) order_.push_back(static_cast<int>(i));
+    const auto middle = [&](int i) {
+      return parts[static_cast<std::size_t>(i)].atLow + parts[static_cast<std::size_t>(i)].atHigh;
+    };
+    std::sort(order_.begin(), order_.end(),
+              [&](int a, int b) { return middle(a) != middle(b) ? middle(a) < middle(b) : a < b; });
+    if (!parts.empty()) build(0, static_cast<int>(parts.size()));
+  }
+
+  /// Calls visit(part index) for parts whose image, widened by `slack`, holds
+  /// `image` and whose nearest point is beyond least(), which may rise
+  /// meanwhile; the more promising half first. Stops when visit says true, and
+  /// says so.
+  template <class Visit, class Least>
+  bool find(double image, double slack, const Least& least, const Visit& visit) const {
+    return !nodes_.empty() && descend(0, image, slack, least, visit);
+  }
+
+ private:
+  struct Node {
+    double low, high, nearest;
+    int first, count;  ///< of order_; children if count is beyond kLeaf
+    int left, right;
+  };
+  static constexpr int kLeaf = 4;
+
+  int build(int first, int count) {
+    const int index = static_cast<int>(nodes_.size());
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    nodes_.push_back({kInfinite, -kInfinite, -kInfinite, first, count, -1, -1});
+    Node node = nodes_.back();
+    if (count > kLeaf) {
+      node.left = build(first, count / 2);
+      node.right = build(first + count / 2, count - count / 2);
+      for (const int child : {node.left, node.right}) {
+        const Node& below = nodes_[static_cast<std::size_t>(child)];
+        node.low = std::min(node.low, below.low);
+        node.high = std::max(node.high, below.high);
+        node.nearest = std::max(node.nearest, below.nearest);
+      }
+    } else {
+      for (int i = first; i < first + count; ++i) {
+        const SightPart& part = at(i);
+        node.low = std::min({node.low, part.atLow, part.atHigh});
+        node.high = std::max({node.high, part.atLow, part.atHigh});
+        node.nearest = std::max(node.nearest, part.nearest);
+      }
+    }
+    nodes_[static_cast<std::size_t>(index)] = node;
+    return index;
+  }
+
+  const SightPart& at(int i) const {
+    return parts_[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])];
+  }
+
+  template <class Visit, class Least>
+  bool descend(int index, double image, double slack, const Least& least,
+               const Visit& visit) const {
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    if (image < node.low - slack || image > node.high + slack || !(node.nearest > least())) {
+      return false;
+    }
+    if (node.count > kLeaf) {
+      const bool rightFirst = nodes_[static_cast<std::size_t>(node.right)].nearest >
+                              nodes_[static_cast<std::size_t>(node.left)].nearest;
+      const int one = rightFirst ? node.right : node.left;
+      const int other = rightFirst ? node.left : node.right;
+      return descend(one, image, slack, least, visit) || descend(other, image, slack, least, visit);
+    }
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      const SightPart& part = at(i);
+      if (image < std::min(part.atLow, part.atHigh) - slack ||
+          image > std::max(part.atLow, part.atHigh) + slack || !(part.nearest > least())) {
+        continue;
+      }
+      if (visit(order_[static_cast<std::size_t>(i)])) return true;
+    }
+    return false;
+  }
+
+  const std::vector<SightPart>& parts_;
+  std::vector<int> order_;
+  std::vector<Node> nodes_;
+};
+
+/// /// A run of parts without a fold between them, whose images follow each other.
+struct Strip {
+  int first, last;    ///< of the parts
+  double start, end;  ///< image at the ends
+  bool isLine;
+};
+
+/// What is in front over a stretch of the screen: several strips only where they coincide.
+using Front = std::vector<int>;
+
+struct Span {
+  double low, high;
+  Front front;
+};
+
+/// What is in front all along the screen.
+class FrontLine {
+ public:
+  FrontLine(const Sight& sight, const std::vector<SightPart>& parts, const PartTree& tree)
+      : sight_(sight), parts_(parts), tree_(tree) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const int index = static_cast<int>(i);
+      if (!parts[i].goesOn) {
+        strips_.push_back({index, index, parts[i].atLow, parts[i].atHigh, isLine(parts[i])});
+      }
+      strips_.back().last = index;
+      strips_.back().end = parts[i].atHigh;
+      stripOf_.push_back(static_cast<int>(strips_.size()) - 1);
+    }
+  }
+
+  /// The part of a strip that is seen there, or the nearest to it.
+  const SightPart& partAt(int strip, double image) const {
+    const Strip& run = strips_[static_cast<std::size_t>(strip)];
+    const double direction = run.end > run.start ? 1.0 : -1.0;
+    return *std::lower_bound(
+        parts_.begin() + run.first, parts_.begin() + run.last, image,
+        [direction](const SightPart& part, double x) { return (x - part.atHigh) * direction > 0; });
+  }
+
+  std::vector<Span> run() {
+    // Between neighbouring images of edges the same parts are there, so only
+    // crossings matter.
+    struct Edge {
+      double image;
+      int strip;
+    };
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < strips_.size(); ++i) {
+      if (std::abs(strips_[i].start - strips_[i].end) <= sight_.sameImage()) continue;
+      edges.push_back({strips_[i].start, static_cast<int>(i)});
+      edges.push_back({strips_[i].end, static_cast<int>(i)});
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& a, const Edge& b) { return a.image < b.image; });
+    if (!edges.empty()) {
+      const int slabs = static_cast<int>(edges.size());
+      samples_ = std::clamp(kMostSamples / slabs, kFewestSamples, kSamples);
+    }
+    std::vector<bool> open(strips_.size());
+    int count = 0, bent = 0;  // strips that are there, and those of them that are no lines
+    for (std::size_t i = 0; i < edges.size();) {
+      const double low = edges[i].image;
+      for (; i < edges.size() && edges[i].image <= low + sight_.sameImage(); ++i) {
+        const auto strip = static_cast<std::size_t>(edges[i].strip);
+        open[strip] = !open[strip];
+        count += open[strip] ? 1 : -1;
+        if (!strips_[strip].isLine) bent += open[strip] ? 1 : -1;
+      }
+      if (i < edges.size() && count > 0) addSlab(low, edges[i].image, count > 1 && bent > 0);
+    }
+    return std::move(spans_);
+  }
+
+ private:
+  bool isLine(const SightPart& part) const {
+    const auto& own = sight_.scene().pieces[static_cast<std::size_t>(part.curve)];
+    return !own.empty() && own[static_cast<std::size_t>(part.piece)].degree() <= 1;
+  }
+
+  Front frontAt(double image) const {
+    const SightLine line = sight_.lineAt(image);
+    const double same = sight_.sameDepth();
+    double best = -std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, int>> near;
+    tree_.find(
+        image, 0.0, [&] { return best - same; },
+        [&](int index) {
+          const SightPart& part = parts_[static_cast<std::size_t>(index)];
+          if (sight_.isEndOn(part) || !(sight_.nearestOn(part, line) > best - same)) return false;
+          const Vec2 p = sight_.point(part, sight_.crossing(part, line));
+          const double here = nearness(sight_.frame(), p);
+          if (here > best - same) near.emplace_back(here, index);
+          best = std::max(best, here);
+          return false;
+        });
+    Front front;
+    for (const auto& [here, index] : near) {
+      if (here >= best - same) front.push_back(stripOf_[static_cast<std::size_t>(index)]);
+    }
+    std::sort(front.begin(), front.end());
+    front.erase(std::unique(front.begin(), front.end()), front.end());
+    return front;
+  }
+
+  // The ends themselves are edges, where the answer is about to change: looked
+  // at just inside. Lines that are in front at both ends of a stretch are so
+  // all along it.
+  void addSlab(double low, double high, bool crossingsHide) {
+    constexpr double kHair = 1e-6;
+    const double width = high - low;
+    const double hair = std::min(std::max(kHair * width, 1.5 * sight_.sameImage()), 0.25 * width);
+    const int samples = crossingsHide ? samples_ : 1;
+    double before = low + hair;
+    Front seen = frontAt(before);
+    from_ = low;
+    for (int k = 1; k <= samples; ++k) {
+      const double next = k == samples ? high - hair : low + width * k / samples;
+      Front now = frontAt(next);
+      change(before, seen, next, now);
+      before = next;
+      seen = std::move(now);
+    }
+    emit(high, seen);
+  }
+
+  // Closes in on where what is in front changes between two places.
+  void change(double low, Front atLow, double high, const Front& atHigh) {
+    if (atLow == atHigh) return;
+    for (;;) {
+      const double middle = 0.5 * (low + high);
+      const double apart = std::max(std::abs(low), std::abs(high));
+      if (!(middle > low && middle < high) || high - low <= 4.0 * 0x1p-53 * apart) break;
+      Front there = frontAt(middle);
+      if (there == atLow) {
+        low = middle;
+      } else if (there == atHigh) {
+        high = middle;
+      } else {
+        change(low, std::move(atLow), middle, there);
+        low = middle;
+        atLow = std::move(there);
+      }
+    }
+    emit(high, atLow);
+  }
+
+  void emit(double to, const Front& front) {
+    if (!front.empty() && to > from_) spans_.push_back({from_, to, front});
+    from_ = to;
+  }
+
+  const Sight& sight_;
+  const std::vector<SightPart>& parts_;
+  const PartTree& tree_;
+  std::vector<Strip> strips_;
+  std::vector<int> stripOf_;  // of each part
+  std::vector<Span> spans_;
+  double from_ = 0.0;
+  int samples_ = kSamples;
 };
 
 }  // namespace
 
 struct Visibility::Parts {
-  ViewFrame frame;
-  std::vector<Curve> curves;
-  std::vector<std::vector<Bezier>> pieces;  ///< of each curve that has a Bezier form
-  std::vector<Part> parts;
-  double size = 1.0;
+  explicit Parts(const Scene& scene)
+      : curves(scene), sight(curves, scene.view), parts(cutAll(sight)), tree(parts) {}
+
+  static std::vector<SightPart> cutAll(const Sight& sight) {
+    std::vector<SightPart> parts;
+    const std::vector<Curve>& curves = sight.scene().curves;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      for (int i = 0; i < pieceCount(curves[c]); ++i) sight.cut(static_cast<int>(c), i, parts);
+    }
+    return parts;
+  }
+
+  double parameterAt(const SightPart& part, double image) const {
+    if (std::abs(image - part.atLow) <= sight.sameImage()) return part.piece + part.low;
+    if (std::abs(image - part.atHigh) <= sight.sameImage()) return part.piece + part.high;
+    return part.piece + sight.crossing(part, sight.lineAt(image));
+  }
+
+  std::vector<std::vector<Interval>> findIntervals() const {
+    std::vector<std::vector<Interval>> found(curves.curves.size());
+    FrontLine line(sight, parts, tree);
+    for (const Span& span : line.run()) {
+      for (const int strip : span.front) {
+        const SightPart& first = line.partAt(strip, span.low);
+        const double a = parameterAt(first, span.low);
+        const double b = parameterAt(line.partAt(strip, span.high), span.high);
+        if (a == b) continue;
+        found[static_cast<std::size_t>(first.curve)].push_back({std::min(a, b), std::max(a, b)});
+      }
+    }
+    for (std::vector<Interval>& own : found) {
+      std::sort(own.begin(), own.end(),
+                [](const Interval& a, const Interval& b) { return a.tLow < b.tLow; });
+      std::vector<Interval> joined;
+      for (const Interval& each : own) {
+        if (!joined.empty() && each.tLow <= joined.back().tHigh) {
+          joined.back().tHigh = std::max(joined.back().tHigh, each.tHigh);
+        } else {
+          joined.push_back(each);
+        }
+      }
+      own = std::move(joined);
+    }
+    return found;
+  }
+
+  SightCurves curves;
+  Sight sight;
+  std::vector<SightPart> parts;
+  PartTree tree;
   std::mutex mutex;  ///< for the intervals, found when first asked for
-  std::vector<std::optional<std::vector<Interval>>> intervals;
-
-  Vec2 point(const Part& part, double t) const {
-    const auto curve = static_cast<std::size_t>(part.curve);
-    if (pieces[curve].empty()) return pointAt(curves[curve], part.piece + t);
-    return pointAt(pieces[curve][static_cast<std::size_t>(part.piece)], t);
-  }
-
-  double depth(const Vec2& p) const {
-    return frame.distance ? *frame.distance - p.dot(frame.towards) : 1.0;
-  }
-
-  // Signed distance, on the screen, of the image of p from the line of sight through q; in
-  // perspective multiplied by both (positive) depths, so that it stays finite.
-  double beside(const Vec2& p, const Vec2& q) const {
-    if (!frame.distance) return (p - q).dot(frame.axis);
-    return p.dot(frame.axis) * depth(q) - q.dot(frame.axis) * depth(p);
-  }
-
-  void add(int index, const Curve& curve) {
-    curves.push_back(curve);
-    auto& own = pieces.emplace_back();
-    if (const BezierChain* chain = bezierForm(curve)) {
-      for (int i = 0; i < chain->pieceCount(); ++i) own.push_back(chain->piece(i));
-    }
-    for (int i = 0; i < pieceCount(curve); ++i) {
-      std::vector<double> cuts = foldCuts(curve, i, frame, size);
-      cuts.insert(cuts.begin(), 0.0);
-      cuts.push_back(1.0);
-      for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
-        if (cuts[c + 1] > cuts[c]) addPart({index, i, cuts[c], cuts[c + 1], 0.0, 0.0});
-      }
-    }
-  }
-
-  void addPart(Part part) {
-    if (!(depth(point(part, 0.5 * (part.low + part.high))) > 0.0)) return;  // behind the viewer
-    const auto image = [&](double t, double inwards) {
-      if (const auto i = screenCoordinate(frame, point(part, t))) return *i;
-      // At the viewer's depth the image runs off the screen, to the side it comes from.
-      const auto near =
-          screenCoordinate(frame, point(part, t + 1e-3 * inwards * (part.high - part.low)));
-      return std::copysign(std::numeric_limits<double>::infinity(), near.value_or(0.0));
-    };
-    part.atLow = image(part.low, 1.0);
-    part.atHigh = image(part.high, -1.0);
-    parts.push_back(part);
-  }
-
-  // The parameter at which the part meets the line of sight through q; its ends must lie on both
-  // sides.
-  double crossing(const Part& part, const Vec2& q) const {
-    double a = part.low, b = part.high;
-    double fa = beside(point(part, a), q), fb = beside(point(part, b), q);
-    if (fa == 0.0) return a;
-    if (fb == 0.0) return b;
-    // Illinois; the image is monotone, so the sign change is the only one.
-    int stale = 0;
-    for (int i = 0; i < 60 && b - a > 1e-14; ++i) {
-      double t = i % 6 == 5 ? 0.5 * (a + b) : a - fa * (b - a) / (fb - fa);
-      if (!(t > a && t < b)) t = 0.5 * (a + b);
-      const double f = beside(point(part, t), q);
-      if (f == 0.0) return t;
-      if ((f > 0.0) == (fa > 0.0)) {
-        if (t - a < 1e-15) return t;
-        a = t, fa = f;
-        if (stale == -1) fb *= 0.5;
-        stale = -1;
-      } else {
-        if (b - t < 1e-15) return t;
-        b = t, fb = f;
-        if (stale == 1) fa *= 0.5;
-        stale = 1;
-      }
-    }
-    return 0.5 * (a + b);
-  }
-
-  // True if parameter t of `curve` lies on the part or touches it, also across a joint.
-  bool isOn(const Part& part, int curve, double t) const {
-    if (part.curve != curve) return false;
-    const auto near = [&](double x) {
-      return x >= part.piece + part.low - kSameParameter &&
-             x <= part.piece + part.high + kSameParameter;
-    };
-    const Curve& shape = curves[static_cast<std::size_t>(curve)];
-    const double period = pieceCount(shape);
-    return near(t) || (isClosed(shape) && (near(t - period) || near(t + period)));
-  }
-
-  // Seen along itself, to within rounding: all of it lies on one line of sight.
-  bool isEndOn(const Part& part) const {
-    return std::abs(part.atLow - part.atHigh) <= kSameImage * size;
-  }
-
-  bool hides(const Part& part, const Vec2& q, double image) const {
-    const double slack = isEndOn(part) ? kSameImage * size : 0.0;
-    if (image < std::min(part.atLow, part.atHigh) - slack ||
-        image > std::max(part.atLow, part.atHigh) + slack) {
-      return false;
-    }
-    const double nearest = nearness(frame, q) + kSameDepth * size;
-    const Vec2 low = point(part, part.low), high = point(part, part.high);
-    if (isEndOn(part)) {
-      return std::max(nearness(frame, low), nearness(frame, high)) > nearest;
-    }
-    // Points at the viewer's own depth or behind it do not hide anything.
-    const Vec2 p = point(part, crossing(part, q));
-    return depth(p) > 0.0 && nearness(frame, p) > nearest;
-  }
+  std::optional<std::vector<std::vector<Interval>>> intervals;
 };
 
-Visibility::Visibility(const Scene& scene) : parts_(std::make_unique<Parts>()) {
-  parts_->frame = frameOf(scene.view);
-  const Bounds bounds = boundsOf(scene);
-  if (bounds.diagonal() > 0.0) parts_->size = bounds.diagonal();
-  for (std::size_t i = 0; i < scene.curves.size(); ++i) {
-    parts_->add(static_cast<int>(i), scene.curves[i].shape);
-  }
-  parts_->intervals.resize(scene.curves.size());
-}
-
+Visibility::Visibility(const Scene& scene) : parts_(std::make_unique<Parts>(scene)) {}
 Visibility::~Visibility() = default;
 Visibility::Visibility(Visibility&&) noexcept = default;
 Visibility& Visibility::operator=(Visibility&&) noexcept = default;
 
 bool Visibility::isVisible(int curve, double t) const {
-  const Vec2 q = pointAt(parts_->curves[static_cast<std::size_t>(curve)], t);
-  const auto image = screenCoordinate(parts_->frame, q);
-  if (!image) return false;
-  for (const Part& part : parts_->parts) {
-    if (!parts_->isEndOn(part) && parts_->isOn(part, curve, t)) continue;
-    if (parts_->hides(part, q, *image)) return false;
-  }
-  return true;
+  const Sight& sight = parts_->sight;
+  const Vec2 q = pointAt(parts_->curves.curves[static_cast<std::size_t>(curve)], t);
+  if (!screenCoordinate(sight.frame(), q)) return false;
+  const SightLine line = sight.lineThrough(q);
+  const double nearest = nearness(sight.frame(), q) + sight.sameDepth();
+  return !parts_->tree.find(
+      line.image, sight.sameImage(), [&] { return nearest; },
+      [&](int index) {
+        const SightPart& part = parts_->parts[static_cast<std::size_t>(index)];
+        return sight.concerns(part, curve, t) && sight.hides(part, q, line);
+      });
 }
 
 const std::vector<Visibility::Interval>& Visibility::visibleIntervals(int curve) const {
   const std::scoped_lock lock(parts_->mutex);
-  auto& known = parts_->intervals[static_cast<std::size_t>(curve)];
-  if (!known) known = findVisibleIntervals(curve);
-  return *known;
-}
-
-std::vector<Visibility::Interval> Visibility::findVisibleIntervals(int curve) const {
-  // Visibility changes where the image of a fold or end passes, and where curves cross.
-  const Parts& all = *parts_;
-  std::vector<Vec2> edges;
-  for (const Part& part : all.parts) {
-    edges.push_back(all.point(part, part.low));
-    edges.push_back(all.point(part, part.high));
-  }
-  std::vector<double> cuts;
-  for (const Part& part : all.parts) {
-    if (part.curve != curve) continue;
-    cuts.push_back(part.piece + part.low);
-    cuts.push_back(part.piece + part.high);
-    const double least = std::min(part.atLow, part.atHigh),
-                 most = std::max(part.atLow, part.atHigh);
-    for (const Vec2& edge : edges) {
-      const auto image = screenCoordinate(all.frame, edge);
-      if (image && *image > least && *image < most)
-        cuts.push_back(part.piece + all.crossing(part, edge));
-    }
-  }
-  std::sort(cuts.begin(), cuts.end());
-
-  std::vector<Interval> visible;
-  const auto append = [&](double low, double high) {
-    if (!(high > low)) return;
-    if (!visible.empty() && visible.back().tHigh == low) {
-      visible.back().tHigh = high;
-    } else {
-      visible.push_back({low, high});
-    }
-  };
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const double low = cuts[i], high = cuts[i + 1];
-    // The ends themselves are edges, where the answer is about to change: look just inside them.
-    constexpr double kHair = 1e-6;
-    const auto sample = [&](int k) {
-      return low + (high - low) * std::clamp(static_cast<double>(k) / kSamples, kHair, 1.0 - kHair);
-    };
-    double from = low;
-    bool seen = isVisible(curve, sample(0));
-    for (int k = 1; k <= kSamples; ++k) {
-      const bool next = isVisible(curve, sample(k));
-      if (next == seen) continue;
-      double a = sample(k - 1), b = sample(k);
-      while (b - a > 1e-9) {
-        const double mid = 0.5 * (a + b);
-        (isVisible(curve, mid) == seen ? a : b) = mid;
-      }
-      if (seen) append(from, b);
-      from = b;
-      seen = next;
-    }
-    if (seen) append(from, high);
-  }
-  return visible;
+  if (!parts_->intervals) parts_->intervals = parts_->findIntervals();
+  return (*parts_->intervals)[static_cast<std::size_t>(curve)];
 }
 
 }  // namespace flatland

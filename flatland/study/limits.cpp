@@ -76,6 +76,19 @@ std::vector<double> logSteps(double from, double to, int perDecade = kPerDecade)
   return steps;
 }
 
+// The angles of a slide, two searches each, when one search costs so many evaluations of formulas:
+// all of them, or fewer and not so far down.
+std::vector<double> slideSteps(std::uint64_t cost) {
+  constexpr std::uint64_t kMostEvaluations = 2'000'000;
+  constexpr int kFewestPerDecade = 4;  // what a fit needs
+  constexpr double kFewestDecades = 1.5;
+  std::vector<double> all = logSteps(kLargestSlide, kSmallestSlide);
+  if (2 * all.size() * cost <= kMostEvaluations) return all;
+  const double decades = static_cast<double>(kMostEvaluations / cost) / (2.0 * kFewestPerDecade);
+  const double smallest = kLargestSlide * std::pow(10.0, -std::max(decades, kFewestDecades));
+  return logSteps(kLargestSlide, std::max(smallest, kSmallestSlide), kFewestPerDecade);
+}
+
 LimitLaw law(LimitQuantity quantity, std::optional<double> order,
              std::optional<double> coefficient) {
   return {quantity, order, coefficient, {}, std::nullopt};
@@ -355,7 +368,10 @@ std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, do
   const Curve& shape = start->shape;
   const double length = start->length;
   std::optional<Mark> at;
-  for (const Mark& mark : findFeatures(seen).marks) {
+  const std::uint64_t before = FormulaCurve::evaluations();
+  const FeatureSet found = findFeatures(seen);
+  const std::uint64_t cost = FormulaCurve::evaluations() - before;
+  for (const Mark& mark : found.marks) {
     if (mark.kind != MarkKind::Inflection) continue;
     if (!at || start->wayTo(mark) < start->wayTo(*at)) at = mark;
   }
@@ -382,7 +398,7 @@ std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, do
     }
     return best;
   };
-  for (const double angle : logSteps(kLargestSlide, kSmallestSlide)) {
+  for (const double angle : slideSteps(cost)) {
     if (goOn && !goOn()) return std::nullopt;
     series.x.push_back(angle);
     const double step = turn * angle * kDegPerRad;

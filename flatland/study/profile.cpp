@@ -92,6 +92,12 @@ class Profiler {
       const double local = mark->t - piece;
       if (local > 0.0 && local < 1.0) cuts.push_back(local);
     }
+    for (const Degenerate* known : degenerate_) {
+      if (known->what != Degenerate::What::Point) continue;
+      for (const double local : {known->tLow - piece, known->tHigh - piece}) {
+        if (local > 0.0 && local < 1.0) cuts.push_back(local);
+      }
+    }
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     return cuts;
@@ -112,10 +118,10 @@ class Profiler {
   void layOut() {
     std::vector<double> ks, terms, lambdas;
     for (int piece = 0; piece < pieceCount(shape_); ++piece) {
-      const Degenerate* known = degenerateAt(piece + 0.5);
-      if (known && known->what == Degenerate::What::Point) continue;
       const std::vector<double> cuts = cutsOf(piece);
       for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        const Degenerate* known = degenerateAt(piece + 0.5 * (cuts[i] + cuts[i + 1]));
+        if (known && known->what == Degenerate::What::Point) continue;
         Stretch stretch{piece, {}};
         const double from = inside(piece, cuts[i], cuts[i + 1]);
         const double to = inside(piece, cuts[i + 1], cuts[i]);

@@ -6,6 +6,7 @@
 
 #include "flatland/features/features.h"
 #include "flatland/screen/visibility.h"
+#include "flatland/study/profile.h"
 
 namespace {
 
@@ -49,5 +50,17 @@ void BM_VisibleIntervals(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_VisibleIntervals)->DenseRange(3, 9)->Unit(benchmark::kMicrosecond);
+
+void BM_Profile(benchmark::State& state) {
+  const auto scenes = randomScenes(static_cast<int>(state.range(0)), false);
+  std::vector<FeatureSet> features;
+  for (const Scene& scene : scenes) features.push_back(findFeatures(scene));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const std::size_t at = i++ % scenes.size();
+    benchmark::DoNotOptimize(profileOf(scenes[at], features[at], 0));
+  }
+}
+BENCHMARK(BM_Profile)->DenseRange(3, 9)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

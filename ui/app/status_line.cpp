@@ -150,7 +150,13 @@ void StatusLine::listPlaces() {
   places_->clear();
   const std::vector<Unresolved>& unresolved = document_.features().unresolved;
   if (unresolved.empty()) {
-    places_->addAction(tr("Every mark was found and none is invented: nothing is left open."))
+    const FeatureSet& found = document_.features();
+    places_
+        ->addAction(found.certified()
+                        ? tr("Every mark was found and none is invented: nothing is left open.")
+                        : tr("Nothing is left open, to an estimated error of %1; what is narrower "
+                             "than the samples may be missed.")
+                              .arg(found.errorBound(), 0, 'g', 2))
         ->setEnabled(false);
   }
   for (std::size_t i = 0; i < std::min(unresolved.size(), kPlacesListed); ++i) {

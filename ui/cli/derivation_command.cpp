@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+
 #include "flatland/features/orientation.h"
 #include "flatland/io/derivation_text.h"
+#include "flatland/io/number_text.h"
 #include "ui/cli/command_line.h"
 #include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
@@ -12,18 +15,46 @@ namespace {
 struct Options {
   std::string scene;
   std::size_t curve = 0;
-  double t = 0.5;
+  std::optional<double> t;
   std::optional<double> viewAngleDeg;
   ResultOptions result{.format = "text", .output = {}};
 };
+
+bool hasTangent(const SceneCurve& curve, double t) {
+  constexpr double kStandsStill = 1e-9;
+  return jetAt(curve.shape, t).d1.norm() > kStandsStill * lengthScale(curve.shape);
+}
+
+/// The place asked for, or the first of some that has a tangent. Says on standard error where the
+/// equations have no meaning, and why.
+double placeOn(const SceneCurve& curve, const std::optional<double>& wanted) {
+  const auto note = [](double t, const char* what) {
+    std::fprintf(stderr, "flatland: at t = %g the curve has no tangent%s\n", t, what);
+  };
+  if (wanted) {
+    requirePlace(curve, *wanted);
+    if (!hasTangent(curve, *wanted)) {
+      note(*wanted, ", so the equations have no answer there; try another --t");
+    }
+    return *wanted;
+  }
+  constexpr double kMiddle = 0.5;
+  for (const double t : {kMiddle, 0.3, 0.7, 0.15}) {
+    if (!hasTangent(curve, t)) continue;
+    if (t != kMiddle) note(kMiddle, (": taken at t = " + numberText(t)).c_str());
+    return t;
+  }
+  note(kMiddle, ", so the equations have no answer there; try another --t");
+  return kMiddle;
+}
 
 int run(const Options& options) {
   const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
   requireCurve(scene, options.curve);
   const SceneCurve& curve = scene.curves[options.curve];
-  requirePlace(curve, options.t);
+  const double t = placeOn(curve, options.t);
   const ViewFrame frame = frameOf(scene.view);
-  const auto rows = derivationRows({curve.shape, options.t, frame, normalSide(curve, frame)});
+  const auto rows = derivationRows({curve.shape, t, frame, normalSide(curve, frame)});
   const std::string text = options.result.format == "json"  ? derivationToJson(rows)
                            : options.result.format == "csv" ? derivationToCsv(rows)
                                                             : derivationToText(rows);
@@ -43,7 +74,10 @@ void addDerivationCommand(CLI::App& app, Action& action) {
       "difference quotients over a range of step sizes.");
   command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
   command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N");
-  command.add_option("--t", options->t, "Where on it: piece number plus parameter, from 0 [0.5]")
+  command
+      .add_option("--t", options->t,
+                  "Where on it: piece number plus parameter, from 0 [0.5, or another place if the\n"
+                  "curve has no tangent there]")
       ->type_name("T");
   addViewAngle(command, options->viewAngleDeg);
   command.add_option("--format", options->result.format, "text, json or csv [text]")

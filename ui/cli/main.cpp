@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <numeric>
+#include <system_error>
+#include <vector>
 
 #include "flatland/io/input_error.h"
 #include "ui/cli/command_line.h"
@@ -15,6 +19,39 @@ int report(std::string message, ExitCode code) {
       message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   std::fprintf(stderr, "flatland: %s\n", message.c_str());
   return code;
+}
+
+/// By how many inserted, left out or changed letters two words differ.
+std::size_t editsBetween(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, changed});
+    }
+  }
+  return row.back();
+}
+
+/// What a first word that is nearly a subcommand was meant to be, as an end of the message; empty
+/// if there is none, or the word names a file.
+std::string likelyMeaning(const CLI::App& app, int argc, char** argv) {
+  constexpr std::size_t kMostEdits = 2;
+  if (argc < 2) return {};
+  const std::string word = argv[1];
+  std::error_code ignored;
+  if (word.size() <= kMostEdits || std::filesystem::exists(word, ignored)) return {};
+  std::string nearest;
+  std::size_t least = kMostEdits + 1;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    const std::size_t edits = editsBetween(word, command->get_name());
+    if (edits < least) least = edits, nearest = command->get_name();
+  }
+  return nearest.empty() || least == 0 ? "" : "; did you mean '" + nearest + "'?";
 }
 
 void describe(CLI::App& app) {
@@ -60,9 +97,20 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help or version
     std::string help = "flatland";
     for (const CLI::App* command : app.get_subcommands()) help += " " + command->get_name();
-    return report(std::string(error.what()) + " (see " + help + " --help)", kBadUsage);
+    return report(
+        std::string(error.what()) + " (see " + help + " --help)" + likelyMeaning(app, argc, argv),
+        kBadUsage);
   }
-  return action();
+  const bool isWindow = app.get_subcommands().empty();
+  const std::string meant = isWindow ? likelyMeaning(app, argc, argv) : std::string();
+  if (meant.empty()) return action();
+  try {
+    return action();
+  } catch (const flatland::InputError& error) {
+    return report(error.what() + meant, kBadInput);
+  } catch (const UsageError& error) {
+    return report(error.what() + meant, kBadUsage);
+  }
 }
 
 }  // namespace

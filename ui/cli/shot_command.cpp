@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "flatland/io/input_error.h"
 #include "ui/cli/command_line.h"
 #include "ui/cli/picture.h"
 #include "ui/cli/qt_parts.h"
@@ -43,6 +44,20 @@ std::string whyNotProbe(const std::string& text) {
   return "expected a curve's number and a parameter, for example 0:0.25, found " + text;
 }
 
+/// Throws InputError if the scene has no such place.
+void requireProbe(const Scene& scene, const std::pair<std::size_t, double>& probe) {
+  const auto fail = [&](const std::string& why) { throw InputError("--probe", "", why); };
+  const std::size_t count = scene.curves.size();
+  if (probe.first >= count) {
+    fail("the scene has " + std::to_string(count) + (count == 1 ? " curve" : " curves") +
+         ", counted from 0; there is no curve " + std::to_string(probe.first));
+  }
+  const int end = pieceCount(scene.curves[probe.first].shape);
+  if (probe.second < 0.0 || probe.second > end) {
+    fail("the parameter must lie between 0 and " + std::to_string(end) + " on this curve");
+  }
+}
+
 int run(const Options& options) {
   requireQt("The window", "draw the scene with flatland draw");
   Shot shot = options.shot;
@@ -56,6 +71,7 @@ int run(const Options& options) {
     if (!shot.scene) shot.scene = defaultScene();
     shot.scene->view.angleDeg = *options.viewAngleDeg;
   }
+  if (shot.probe) requireProbe(shot.scene ? *shot.scene : defaultScene(), *shot.probe);
   return shotWithQt(shot);
 }
 

@@ -108,6 +108,11 @@ void addStudyCommand(CLI::App& app, Action& action) {
   CLI::App& study = *app.add_subcommand(
       "study", "Measure: the offset term over many random curves, the limits at silhouettes.");
   study.require_subcommand(1);
+  study.footer(
+      "Examples:\n"
+      "  flatland study offset --curves 20000 --points 5 --seed 1\n"
+      "  flatland study limits preset:thesis --curve 0 --t 0.4\n"
+      "  flatland study offset --help              what each can do\n");
   CLI::App& command = *study.add_subcommand(
       "offset",
       "How large is the offset term of the apparent-ridge equation against the feature term? "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
 #include <filesystem>
 
 #include "flatland/io/atomic_file.h"
@@ -28,10 +29,18 @@ std::string whyNotOutput(const std::string& file) {
   return "the name " + file + " should end in .csv, .svg, .pdf, .png or .tex";
 }
 
+void note(const std::string& text) { std::fprintf(stderr, "flatland: %s\n", text.c_str()); }
+
 int run(const Options& options, const std::string& commandLine) {
   if (!isTable(options.output)) requireQtFor(options.output);
   const Scene scene = sceneFromArgument(options.scene);
   Sweep sweep = sweepOf(scene);
+  if (!sweep.fine) {
+    note(
+        "the scene has so many branches that their points are coarser than usual: the angle may "
+        "turn unseen between two of them");
+  }
+  if (!sweep.complete) note("not complete: some events could not be told apart");
   // Without --kinds a picture shows where ridges are born too, and a table everything.
   MarkKinds kinds = kindsNamed(options.kinds);
   if (options.kinds.empty()) kinds.set(static_cast<std::size_t>(MarkKind::ApparentMinimum));
@@ -52,7 +61,12 @@ int run(const Options& options, const std::string& commandLine) {
   figure.palette = options.dark ? Palette::Dark : Palette::Light;
   figure.viewAngleDeg = scene.view.angleDeg;
   const SweepVisibility visibility = visibilityOf(sweep, scene);
-  figure.visibility = &visibility;
+  if (visibility.marked) {
+    figure.visibility = &visibility;
+  } else {
+    note("what is hidden is not marked: more than " + std::to_string(SweepVisibility::kMostRays) +
+         " lines of sight would have to be followed");
+  }
   writePicture(
       options.output, sweepFigure(sweep, curveLengths(scene), figure),
       {.title = "Flatland, view sweep: " + std::filesystem::path(options.scene).filename().string(),

@@ -168,6 +168,9 @@ void SweepPanel::showState() {
     parts << (!sweep.complete   ? tr("not complete")
               : sweep.certified ? tr("certified")
                                 : tr("complete"));
+    if (!sweep.fine) parts << tr("too many branches: points are coarse");
+    const auto& visibility = source_.data()->visibility;
+    if (visibility && !visibility->marked) parts << tr("too large: what is hidden is not marked");
   }
   state_->setText(parts.join(tr(" · ")));
   state_->setToolTip(state_->text());

@@ -61,7 +61,7 @@ SweepFigureOptions SweepView::options() const {
   options.palette = themePalette();
   options.legend = options.height >= kLegendFromPx;
   options.window = window_;
-  if (source_.data() && source_.data()->visibility) {
+  if (source_.data() && source_.data()->visibility && source_.data()->visibility->marked) {
     options.visibility = &*source_.data()->visibility;
   }
   return options;

@@ -3240,6 +3240,10 @@
         <translation>Jede Marke ist gefunden und keine erfunden: Nichts ist offen.</translation>
     </message>
     <message>
+        <source>Nothing is left open, to an estimated error of %1; what is narrower than the samples may be missed.</source>
+        <translation>Nichts ist offen, bis auf einen geschätzten Fehler von %1; was schmaler ist als die Stützstellen, kann fehlen.</translation>
+    </message>
+    <message>
         <source>%1, curve %2, t from %3 to %4: %5</source>
         <translation>%1, Kurve %2, t von %3 bis %4: %5</translation>
     </message>
@@ -3557,6 +3561,14 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>not complete</source>
         <translation>nicht vollständig</translation>
+    </message>
+    <message>
+        <source>too many branches: points are coarse</source>
+        <translation>zu viele Äste: Die Punkte liegen weit auseinander</translation>
+    </message>
+    <message>
+        <source>too large: what is hidden is not marked</source>
+        <translation>zu groß: Was verdeckt ist, ist nicht gekennzeichnet</translation>
     </message>
     <message>
         <source>complete</source>
