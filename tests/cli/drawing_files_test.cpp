@@ -202,47 +202,46 @@ std::map<std::string, std::string> ridgeWith(DrawingFigureOptions options, doubl
   return {};
 }
 
+/// Height of the level stroke's outline.
+double heightOf(const std::map<std::string, std::string>& path) {
+  const std::vector<double> numbers = numbersOf(path.at("d"));
+  double low = numbers[1], high = numbers[1];
+  for (std::size_t i = 1; i < numbers.size(); i += 2) {
+    low = std::min(low, numbers[i]);
+    high = std::max(high, numbers[i]);
+  }
+  return high - low;
+}
+
 TEST(DrawingStyle, WidthAndColourFollowStrengthOverThreshold) {
   using Style = DrawingFigureOptions::Style;
   const auto width = [](double threshold) {
-    return std::stod(ridgeWith({.style = Style::Width}, threshold).at("stroke-width"));
+    return heightOf(ridgeWith({.style = Style::Width}, threshold));
   };
-  EXPECT_NEAR(width(0.0), 2.0, 1e-9);  // no threshold: full
-  EXPECT_NEAR(width(0.5), 2.0, 1e-9);  // four times the threshold: full
-  EXPECT_NEAR(width(2.0), 0.6, 1e-9);  // just reaches it: three tenths
-  EXPECT_NEAR(width(0.8), 1.3, 1e-3);  // half the way
+  EXPECT_EQ(ridgeWith({.style = Style::Width}, 0.0).at("stroke-width"), "2");  // no threshold
+  EXPECT_NEAR(width(0.5), 2.0, 2 * kSvgRounding);  // four times the threshold: full
+  EXPECT_NEAR(width(2.0), 0.6, 2 * kSvgRounding);  // just reaches it: three tenths
+  EXPECT_GT(width(1.0), 0.7);
+  EXPECT_LT(width(1.0), 1.9);
   EXPECT_EQ(ridgeWith({.style = Style::Fade}, 0.5).at("stroke"), ridgeWith({}, 0.5).at("stroke"));
   const std::string pale = ridgeWith({.style = Style::Fade}, 2.0).at("stroke");
   EXPECT_GT(std::stoi(pale.substr(1, 2), nullptr, 16), 0xA0);
   EXPECT_EQ(ridgeWith({}, 2.0).at("stroke-width"), "2");
 }
 
-// A level stroke of 80 px and 2 px width: its outline has the full width in the middle, where
-// there are no points here, and a tip of 0.15 of it at both ends.
-TEST(DrawingStyle, TaperedStrokesAreFilledOutlinesWithTips) {
-  Drawing drawing;
-  drawing.projection.width = drawing.projection.height = 100;
-  Polyline line;
-  line.family = LineFamily::Ridges;
-  for (int i = 0; i <= 80; ++i) {
-    line.points.emplace_back(i, 0, 0);
-    line.screen.emplace_back(10 + i, 50);
-    line.strength.push_back(1);
+TEST(DrawingStyle, TaperedStrokesAreFilledOutlinesWithPointedEnds) {
+  const auto path = ridgeWith({.style = DrawingFigureOptions::Style::Taper}, 0.5);
+  EXPECT_EQ(path.at("fill"), ridgeWith({}, 0.5).at("stroke"));
+  EXPECT_FALSE(path.contains("stroke"));
+  EXPECT_NEAR(heightOf(path), 2.0, 2 * kSvgRounding);
+  // At the ends, x = 100 and x = 180, both sides meet on the line.
+  const std::vector<double> numbers = numbersOf(path.at("d"));
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
+    const double toEnd = std::min(numbers[i] - 100.0, 180.0 - numbers[i]);
+    if (toEnd < 0.01) {
+      EXPECT_NEAR(numbers[i + 1], 50.0, 0.05);
+    }
   }
-  drawing.polylines = {line};
-  DrawingFigureOptions options{.style = DrawingFigureOptions::Style::Taper, .widthPx = 2.0};
-  const Figure figure = drawingFigure(drawing, options);
-  const auto& shape = std::get<PathShape>(figure.groups.at(0).shapes.at(0));
-  EXPECT_TRUE(shape.fill);
-  EXPECT_FALSE(shape.stroke);
-  const auto& points = shape.path.points;
-  ASSERT_EQ(points.size(), 2 * line.screen.size());
-  const auto widthAt = [&](std::size_t i) { return (points[i] - points[161 - i]).norm(); };
-  EXPECT_NEAR(widthAt(0), 0.3, 1e-12);
-  EXPECT_NEAR(widthAt(8), 0.5 * (0.3 + 2.0), 1e-12);
-  EXPECT_NEAR(widthAt(16), 2.0, 1e-12);
-  EXPECT_NEAR(widthAt(40), 2.0, 1e-12);
-  EXPECT_NEAR(widthAt(80), 0.3, 1e-12);
 }
 
 TEST(CamerasJson, ReadsCamerasAndTakesTheRestFromTheUsualOne) {

@@ -8,6 +8,8 @@
 
 #include "flatland/io/input_error.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/mesh_commands.h"
+#include "ui/cli/mesh_options.h"
 
 namespace {
 
@@ -67,6 +69,7 @@ void describe(CLI::App& app) {
       "  flatland study offset                     how large the offset term is\n"
       "  flatland import drawing.svg -o scene.json a scene from the outlines of a drawing\n"
       "  flatland derivation preset:thesis         the derivation, checked at a place\n"
+      "  flatland lines mesh.obj -o lines.svg      a mesh as a line drawing\n"
       "  flatland SUBCOMMAND --help                more on each\n"
       "\n"
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 internal error.\n");
@@ -87,6 +90,9 @@ int run(int argc, char** argv) {
   addSweepCommand(app, action, shellLine(argc, argv));
   addStudyCommand(app, action);
   addDerivationCommand(app, action);
+  addLinesCommand(app, action, commandWithoutFolders(argc, argv));
+  addFieldsCommand(app, action);
+  addConvergenceCommand(app, action, commandWithoutFolders(argc, argv));
   addShotCommand(app, action);
   addPresetsCommand(app, action);
   addImportCommand(app, action);

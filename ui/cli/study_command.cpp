@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
-#include <chrono>
-#include <cstdio>
 #include <iostream>
 #include <thread>
 
@@ -10,6 +6,7 @@
 #include "flatland/io/offset_table.h"
 #include "flatland/io/study_text.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/progress.h"
 #include "ui/cli/result_options.h"
 
 namespace flatland::ui {
@@ -24,37 +21,17 @@ struct Options {
   int threads = 0;
 };
 
-/// Says on a terminal how far a long run is, at most twice a second.
-class Progress {
- public:
-  explicit Progress(std::int64_t total) : total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~Progress() {
-    if (printed_) std::fputs("\r\033[K", stderr);
-  }
-
-  void at(std::int64_t done) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!shown_ || now - last_ < std::chrono::milliseconds(500)) return;
-    last_ = now;
-    printed_ = true;
-    std::fprintf(stderr, "\r%lld of %lld curves", static_cast<long long>(done),
-                 static_cast<long long>(total_));
-    std::fflush(stderr);
-  }
-
- private:
-  std::int64_t total_;
-  bool shown_, printed_ = false;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
+std::string soFar(std::int64_t done, const Options& options) {
+  return std::to_string(done) + " of " + std::to_string(options.study.curves) + " curves";
+}
 
 void writeTable(const Options& options, int threads) {
-  Progress progress(options.study.curves);
+  Progress progress;
   if (options.result.output.empty()) {
     std::cout << offsetCsvHeader();
     runOffsetStudy(options.study, 0, threads, [&](const CurveOffsets& curve) {
       std::cout << offsetCsvRow(curve, options.study.convention);
-      progress.at(curve.index);
+      progress.say(soFar(curve.index, options));
       return static_cast<bool>(std::cout);
     });
     std::cout.flush();
@@ -66,7 +43,7 @@ void writeTable(const Options& options, int threads) {
       options.resume ? OffsetTable::Existing::Continue : OffsetTable::Existing::Refuse);
   runOffsetStudy(options.study, table.rows(), threads, [&](const CurveOffsets& curve) {
     table.add(curve);
-    progress.at(curve.index);
+    progress.say(soFar(curve.index, options));
     return true;
   });
   table.close();
@@ -74,10 +51,10 @@ void writeTable(const Options& options, int threads) {
 
 std::string summaryText(const Options& options, int threads) {
   OffsetCollector collector(options.study.convention);
-  Progress progress(options.study.curves);
+  Progress progress;
   runOffsetStudy(options.study, 0, threads, [&](const CurveOffsets& curve) {
     collector.add(curve);
-    progress.at(curve.index);
+    progress.say(soFar(curve.index, options));
     return true;
   });
   return offsetSummaryToJson(collector.summary(), options.study);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/drawing_figure.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core3d/draw/stroke_shape.h"
 #include "ui/export/line_style.h"
 
 namespace flatland::ui {
@@ -12,85 +13,38 @@ namespace {
 
 using Options = DrawingFigureOptions;
 
-constexpr double kFullStrength = 4.0;     // times the threshold
-constexpr double kLeastWeight = 0.3;      // of a stroke that just reaches the threshold
-constexpr double kTipLengthWidths = 8.0;  // a tapered end, in stroke widths
-constexpr double kTipWidth = 0.15;        // of the stroke's width, where it begins
-constexpr double kHiddenWidth = 0.6;      // of a visible stroke's
+constexpr double kFullStrength = 4.0;  // times the threshold
+constexpr double kWeakest = 0.3;       // width or darkness of what just reaches the threshold
+constexpr double kTaperWidths = 10.0;  // length of a pointed end
+constexpr double kHiddenWidth = 0.6;   // of a visible stroke's
 
-double median(std::vector<float> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+StrokeStyle strokeStyle(const Options& options) {
+  StrokeStyle style{.widthPx = options.widthPx};
+  if (options.style == Options::Style::Fade) {
+    style.leastDarkness = kWeakest;
+  } else if (options.style != Options::Style::Plain) {
+    style.leastWidth = kWeakest;
+  }
+  if (options.style == Options::Style::Taper) style.taperPx = kTaperWidths * options.widthPx;
+  return style;
 }
 
-/// From kLeastWeight at the threshold to 1 at kFullStrength times it.
-double weightOf(double strength, double threshold) {
-  if (!(threshold > 0.0)) return 1.0;
-  const double along = (strength / threshold - 1.0) / (kFullStrength - 1.0);
-  return kLeastWeight + (1.0 - kLeastWeight) * std::clamp(along, 0.0, 1.0);
+/// Along the stroke, each point alike.
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 1.0 : sum / static_cast<double>(values.size());
 }
 
-PathData pathOf(const Polyline& line) {
-  PathData path;
-  for (std::size_t i = 0; i < line.screen.size(); ++i) {
+void addPolygon(PathData& path, const std::vector<Vec2>& points, bool closed) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     if (i == 0) {
-      path.moveTo(line.screen[i]);
+      path.moveTo(points[i]);
     } else {
-      path.lineTo(line.screen[i]);
+      path.lineTo(points[i]);
     }
   }
-  if (line.closed) path.close();
-  return path;
-}
-
-/// Lengths along the stroke to each point.
-std::vector<double> lengthsAlong(const std::vector<Vec2>& points) {
-  std::vector<double> along{0.0};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    along.push_back(along.back() + (points[i] - points[i - 1]).norm());
-  }
-  return along;
-}
-
-/// The outline of a stroke whose full width at point i is widths[i]: down one side and up the
-/// other. At bends the sides are moved along the mean of the two normals.
-PathData outlineOf(const std::vector<Vec2>& points, const std::vector<double>& widths,
-                   bool closed) {
-  const std::size_t count = points.size();
-  const auto direction = [&](std::size_t from, std::size_t to) -> Vec2 {
-    const Vec2 d = points[to] - points[from];
-    const double length = d.norm();
-    return length > 0.0 ? Vec2(d / length) : Vec2(0.0, 0.0);
-  };
-  std::vector<Vec2> left, right;
-  for (std::size_t i = 0; i < count; ++i) {
-    Vec2 tangent(0.0, 0.0);
-    if (i > 0 || closed) tangent += direction(i > 0 ? i - 1 : count - 1, i);
-    if (i + 1 < count || closed) tangent += direction(i, i + 1 < count ? i + 1 : 0);
-    const double length = tangent.norm();
-    const Vec2 side =
-        length > 0.0 ? Vec2(0.5 * widths[i] / length * rotateCcw(tangent)) : Vec2(0.0, 0.0);
-    left.push_back(points[i] + side);
-    right.push_back(points[i] - side);
-  }
-  PathData path;
-  const auto add = [&path](const auto& from, const auto& to, bool first) {
-    for (auto it = from; it != to; ++it) {
-      if (first) {
-        path.moveTo(*it);
-      } else {
-        path.lineTo(*it);
-      }
-      first = false;
-    }
-  };
-  add(left.begin(), left.end(), true);
-  if (closed) path.close();  // the band between two closed lines that run opposite ways
-  add(right.rbegin(), right.rend(), closed);
-  path.close();
-  return path;
+  if (closed) path.close();
 }
 
 class Builder {
@@ -122,45 +76,37 @@ class Builder {
     group.classes = "lines " + name + " " + seen;
     for (const Polyline& line : drawing_.polylines) {
       if (line.family != family || line.visible != visible || line.screen.size() < 2) continue;
-      group.shapes.emplace_back(shapeOf(line));
+      group.shapes.emplace_back(drawn(line));
     }
     if (!group.shapes.empty()) figure_.groups.push_back(std::move(group));
   }
 
-  PathShape shapeOf(const Polyline& line) const {
-    const bool asHidden = !line.visible && options_.hidden == Options::Hidden::Dash;
-    const double threshold = options_.threshold[static_cast<std::size_t>(line.family)];
+  PathShape drawn(const Polyline& line) const {
     Rgb colour = options_.colours ? lineColour(line.family, options_.palette) : scene_.text;
-    if (asHidden) {
+    PathData path;
+    if (!line.visible && options_.hidden == Options::Hidden::Dash) {
       const double width = kHiddenWidth * options_.widthPx;
-      return {pathOf(line), std::nullopt,
+      addPolygon(path, line.screen, line.closed);
+      return {std::move(path), std::nullopt,
               Stroke{.colour = paler(colour, scene_.background),
                      .width = width,
                      .dash = {4.0 * width, 3.0 * width},
                      .roundJoins = true}};
     }
-    if (options_.style == Options::Style::Taper) return tapered(line, colour, threshold);
-    double width = options_.widthPx;
-    const double weight = weightOf(median(line.strength), threshold);
-    if (options_.style == Options::Style::Width) width *= weight;
-    if (options_.style == Options::Style::Fade) colour = mixed(scene_.background, colour, weight);
-    return {pathOf(line), std::nullopt,
-            Stroke{.colour = colour, .width = width, .roundCaps = true, .roundJoins = true}};
-  }
-
-  PathShape tapered(const Polyline& line, Rgb colour, double threshold) const {
-    const std::vector<double> along = lengthsAlong(line.screen);
-    // A short stroke's tips meet in its middle.
-    const double tip = std::min(kTipLengthWidths * options_.widthPx, 0.5 * along.back());
-    std::vector<double> widths;
-    for (std::size_t i = 0; i < line.screen.size(); ++i) {
-      double width = options_.widthPx;
-      if (i < line.strength.size()) width *= weightOf(line.strength[i], threshold);
-      const double toEnd = std::min(along[i], along.back() - along[i]);
-      if (!line.closed && toEnd < tip) width *= kTipWidth + (1.0 - kTipWidth) * toEnd / tip;
-      widths.push_back(width);
+    const double threshold = options_.threshold[static_cast<std::size_t>(line.family)];
+    const StrokeShape shape =
+        shapeOf(line, strokeStyle(options_), threshold, kFullStrength * threshold);
+    const bool outlined =
+        options_.style == Options::Style::Width || options_.style == Options::Style::Taper;
+    if (!shape.uniform && outlined) {
+      for (const auto& polygon : outlineOf(shape)) addPolygon(path, polygon, true);
+      return {std::move(path), colour, std::nullopt};
     }
-    return {outlineOf(line.screen, widths, line.closed), colour, std::nullopt};
+    colour = mixed(scene_.background, colour, mean(shape.darkness));
+    addPolygon(path, line.screen, line.closed);
+    return {
+        std::move(path), std::nullopt,
+        Stroke{.colour = colour, .width = options_.widthPx, .roundCaps = true, .roundJoins = true}};
   }
 
   static Rgb mixed(Rgb from, Rgb to, double share) {

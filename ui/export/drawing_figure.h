@@ -16,14 +16,13 @@ struct DrawingFigureOptions {
     Dash,    ///< pale, thinner and dashed, below the visible ones
     Show,    ///< like the visible ones: the mesh is transparent
   };
-  /// What strength does. It is taken relative to the family's threshold: weak strokes just reach
-  /// it, at four times the threshold a stroke has its full weight. Families with threshold 0
-  /// (contours, creases) always have it.
+  /// What strength does (stroke_shape.h), between the family's threshold and four times that.
+  /// Families with threshold 0 (contours) have their full weight everywhere.
   enum class Style {
     Plain,  ///< nothing
-    Width,  ///< a stroke's width, by its median strength
-    Taper,  ///< the width along the stroke, with ends that run to a point: filled outlines
-    Fade,   ///< a stroke's colour, by its median strength, pale when weak
+    Width,  ///< the width along a stroke: where it varies, a filled outline
+    Taper,  ///< the same, and open ends run out to a point
+    Fade,   ///< the colour of a stroke, by its mean: a figure has no gradients
   };
   Hidden hidden = Hidden::Remove;
   Style style = Style::Plain;

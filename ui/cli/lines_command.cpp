@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Geometry>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core3d/draw/draughtsman.h"
+#include "core3d/io/cameras_json.h"
+#include "core3d/io/convergence_text.h"
+#include "core3d/io/drawing_json.h"
+#include "core3d/io/named_mesh.h"
+#include "flatland/io/atomic_file.h"
+#include "ui/cli/drawing_stats.h"
+#include "ui/cli/mesh_commands.h"
+#include "ui/cli/mesh_options.h"
+#include "ui/cli/picture.h"
+#include "ui/cli/progress.h"
+#include "ui/cli/suggestion.h"
+#include "ui/export/drawing_figure.h"
+
+namespace flatland::ui {
+
+namespace {
+
+struct Options {
+  std::string mesh, output, cameras;
+  std::string command;  ///< for the file's account of itself
+  Camera camera;
+  FieldOptions fields;
+  LineOptions lines;
+  StrokeOptions strokes;
+  DrawingFigureOptions figure;
+  PixelSize size{800, 600};
+  double dpi = 96.0;
+  int turntable = 0;
+  bool stats = false;
+};
+
+bool isJson(const std::string& file) { return extensionOf(file) == ".json"; }
+
+std::string whyNotOutput(const std::string& file) {
+  if (isPicture(file) || isJson(file)) return {};
+  return "the name " + file + " should end in .svg, .pdf, .png, .tex or .json";
+}
+
+/// A camera and the file that its picture goes to.
+struct View {
+  Camera camera;
+  std::string file;
+};
+
+/// "a.svg" and "front" to "a-front.svg".
+std::string withPart(const std::string& file, const std::string& part) {
+  const std::filesystem::path path(file);
+  return (path.parent_path() / (path.stem().string() + "-" + part + path.extension().string()))
+      .string();
+}
+
+/// "007" where there are hundreds.
+std::string numbered(std::size_t number, std::size_t count) {
+  const std::string text = std::to_string(number);
+  return std::string(std::to_string(count).size() - text.size(), '0') + text;
+}
+
+std::vector<View> viewsOf(const Options& options) {
+  if (!options.cameras.empty()) {
+    std::vector<View> views;
+    const std::vector<NamedCamera> cameras = loadCameras(options.cameras, options.camera);
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      const std::string& name = cameras[i].name;
+      views.push_back(
+          {cameras[i].camera,
+           withPart(options.output, name.empty() ? numbered(i + 1, cameras.size()) : name)});
+    }
+    return views;
+  }
+  if (options.turntable == 0) return {{options.camera, options.output}};
+  std::vector<View> views;
+  const auto count = static_cast<std::size_t>(options.turntable);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / options.turntable;
+    View view{options.camera, withPart(options.output, numbered(i + 1, count))};
+    view.camera.towards =
+        Eigen::AngleAxisd(angle, options.camera.up.normalized()) * options.camera.towards;
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+/// What made the picture, beside the command, in words of the options.
+std::string recordOf(const Options& options, const View& view) {
+  using nlohmann::json;
+  json record{{"mesh", nameOfMesh(options.mesh)},
+              {"camera", json::parse(cameraToJson(view.camera))},
+              {"size", {options.size.width, options.size.height}},
+              {"estimator", nameOf(options.fields.estimator)},
+              {"scale", options.fields.scale},
+              {"derivative", nameOf(options.lines.derivative)},
+              {"lines", json::array()},
+              {"thresholds", json::object()},
+              {"ink", nullptr}};
+  for (const LineFamily family : allLineFamilies()) {
+    if (!options.lines[family]) continue;
+    record["lines"].push_back(nameOf(family));
+    const double threshold = options.lines.threshold[static_cast<std::size_t>(family)];
+    if (threshold > 0.0) record["thresholds"][std::string(nameOf(family))] = threshold;
+  }
+  if (options.strokes.ink) record["ink"] = *options.strokes.ink;
+  return record.dump(1, ' ', false, json::error_handler_t::replace);
+}
+
+void write(const Options& options, const View& view, const Drawing& drawing,
+           const TriangleMesh& mesh) {
+  if (isJson(view.file)) {
+    writeFileAtomically(view.file, drawingToJson(drawing, mesh, statsOfDrawing(drawing, mesh)));
+    return;
+  }
+  DrawingFigureOptions figure = options.figure;
+  for (std::size_t i = 0; i < kLineFamilyCount; ++i) {
+    figure.threshold[i] = options.lines.threshold[i] * drawing.stats.thresholdFactor;
+  }
+  writePicture(view.file, drawingFigure(drawing, figure),
+               {.title = "Flatland: " + nameOfMesh(options.mesh),
+                .program = "flatland " FLATLAND_VERSION,
+                .command = options.command,
+                .sceneJson = recordOf(options, view),
+                .sceneName = "drawing"},
+               options.dpi);
+}
+
+int run(const Options& given) {
+  Options options = given;
+  if (options.turntable > 0 && !options.cameras.empty()) {
+    throw UsageError("--turntable and --cameras exclude each other");
+  }
+  requireQtFor(options.output);
+  options.camera.width = options.size.width;
+  options.camera.height = options.size.height;
+  options.strokes.hidden = options.figure.hidden != DrawingFigureOptions::Hidden::Remove;
+  options.strokes.inkWidthPx = options.figure.widthPx;
+  const std::vector<View> views = viewsOf(options);
+
+  const PreparedMesh prepared = preparedMesh(options.mesh, options.fields);
+  const TriangleMesh& mesh = prepared.built.mesh;
+  Draughtsman draughtsman(mesh, prepared.fields);
+  std::vector<PictureStats> pictures;
+  Progress progress;
+  bool inkReached = true;
+  for (const View& view : views) {
+    // Several views show the mesh at one size: fitted by its ball.
+    const Projection projection = projectionOf(view.camera, mesh, views.size() > 1);
+    const Drawing drawing = draughtsman.draw(projection, options.lines, options.strokes);
+    inkReached = inkReached && drawing.stats.inkReached;
+    const auto start = std::chrono::steady_clock::now();
+    write(options, view, drawing, mesh);
+    pictures.push_back({std::filesystem::path(view.file).filename().string(), drawing.stats,
+                        drawing.polylines.size(), millisecondsSince(start)});
+    progress.say(std::to_string(pictures.size()) + " of " + std::to_string(views.size()) +
+                 " views");
+  }
+  if (!inkReached) {
+    std::fputs(
+        "flatland: no thresholds bring the drawing to the ink asked for; it is as near as it "
+        "gets\n",
+        stderr);
+  }
+  if (options.stats) writeToStandardOutput(statsOfRun(options.mesh, prepared, pictures));
+  return kDone;
+}
+
+/// An option with one of a few words, each for a value.
+template <typename Value>
+void addChoice(CLI::App& command, const std::string& name, Value& value,
+               const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
+  std::vector<std::string> words;
+  for (const auto& choice : choices) words.push_back(choice.first);
+  command
+      .add_option_function<std::string>(
+          name,
+          [&value, choices](const std::string& word) {
+            for (const auto& choice : choices) {
+              if (choice.first == word) value = choice.second;
+            }
+          },
+          help)
+      ->type_name("HOW")
+      ->check(oneOf("value", words));
+}
+
+void addViews(CLI::App& command, Options& options) {
+  addCamera(command, options.camera);
+  addSize(command, options.size);
+  command
+      .add_option("--turntable", options.turntable,
+                  "N pictures, turned about --up once round: FILE-01.svg, FILE-02.svg, ...")
+      ->type_name("N")
+      ->check(CLI::Range(2, 100000).description(""));
+  command
+      .add_option("--cameras", options.cameras,
+                  "One picture for each camera of a list (docs/user/lines.md)")
+      ->type_name("FILE");
+}
+
+void addStrokes(CLI::App& command, Options& options) {
+  command
+      .add_option_function<double>(
+          "--ink", [&options](const double& share) { options.strokes.ink = share; },
+          "Solve for the thresholds with which strokes cover this share of the pixels, for\n"
+          "example 0.04")
+      ->type_name("SHARE")
+      ->check(CLI::Range(1e-6, 1.0).description(""));
+  command
+      .add_option("--min-length", options.strokes.minLengthPx,
+                  "Leave out strokes shorter than this, but for whole contours [6]")
+      ->type_name("PX")
+      ->check(CLI::Range(0.0, 10000.0).description(""));
+  command
+      .add_option("--simplify", options.strokes.tolerancePx,
+                  "How far a stroke may be moved to save points [0.2]")
+      ->type_name("PX")
+      ->check(CLI::Range(0.0, 100.0).description(""));
+}
+
+void addStyle(CLI::App& command, Options& options) {
+  using Hidden = DrawingFigureOptions::Hidden;
+  using Style = DrawingFigureOptions::Style;
+  addChoice<Hidden>(command, "--hidden", options.figure.hidden,
+                    {{"remove", Hidden::Remove}, {"dash", Hidden::Dash}, {"show", Hidden::Show}},
+                    "Lines behind the mesh: remove, dash or show [remove]");
+  addChoice<Style>(command, "--style", options.figure.style,
+                   {{"plain", Style::Plain},
+                    {"width", Style::Width},
+                    {"taper", Style::Taper},
+                    {"fade", Style::Fade}},
+                   "What a line's strength does: plain, nothing; width or fade of each stroke;\n"
+                   "taper, width along the stroke with pointed ends [plain]");
+  command.add_option("--width", options.figure.widthPx, "Width of the strokes [1.5]")
+      ->type_name("PX")
+      ->check(CLI::Range(0.01, 100.0).description(""));
+  command.add_flag("--colours", options.figure.colours, "A colour for each family");
+  command
+      .add_option("--dpi", options.dpi,
+                  "PNG: pixels per inch; a pixel of --size is 1/96 inch, so 192 doubles it [96]")
+      ->type_name("DPI")
+      ->check(CLI::Range(8.0, 4800.0).description(""));
+  command.add_flag("--transparent", options.figure.transparent, "No background");
+  command.add_flag_callback(
+      "--dark", [&options] { options.figure.palette = Palette::Dark; },
+      "Colours for a dark background");
+}
+
+}  // namespace
+
+void addLinesCommand(CLI::App& app, Action& action, const std::string& commandLine) {
+  const auto options = std::make_shared<Options>();
+  options->command = commandLine;
+  setUsualLines(options->lines);
+  CLI::App& command = *app.add_subcommand(
+      "lines",
+      "Draw a mesh as lines: contours, apparent ridges and others, hidden ones removed. The name\n"
+      "of the output says the format: SVG, PDF, PNG, TikZ for .tex, or the strokes as JSON.");
+  addMesh(command, options->mesh);
+  command
+      .add_option("-o,--output", options->output, "File to write: .svg, .pdf, .png, .tex or .json")
+      ->required()
+      ->type_name("FILE")
+      ->check(CLI::Validator(whyNotOutput, ""));
+  addLineFamilies(command, options->lines);
+  addViews(command, *options);
+  addStrokes(command, *options);
+  addStyle(command, *options);
+  addFields(command, options->fields);
+  command.add_flag("--stats", options->stats,
+                   "Print counts, times and memory as JSON on standard output");
+  command.footer(
+      "Examples:\n"
+      "  flatland lines skull.obj -o skull.svg --view 1,0.5,2\n"
+      "  flatland lines hand.obj -o hand.pdf --ink 0.04 --style taper\n"
+      "  flatland lines solid:torus -o torus.json --lines contours --hidden dash\n"
+      "  flatland lines boot.obj -o boot.svg --turntable 36 --perspective 30\n");
+  command.final_callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cli/mesh_options.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "core3d/io/named_mesh.h"
+#include "flatland/io/number_text.h"
+#include "ui/cli/progress.h"
+#include "ui/cli/suggestion.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr std::size_t kHelpColumn = 80;  // letters in a line of help
+
+std::optional<double> numberFrom(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// "x,y,z" as a unit vector; nullopt if it is none.
+std::optional<Eigen::Vector3d> directionFrom(std::string_view text) {
+  Eigen::Vector3d direction;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;
+    const std::optional<double> value = numberFrom(text.substr(0, comma));
+    if (!value) return std::nullopt;
+    direction[i] = *value;
+    text.remove_prefix(i == 2 ? text.size() : comma + 1);
+  }
+  const double size = direction.cwiseAbs().maxCoeff();
+  if (!(size > 0.0)) return std::nullopt;
+  return (direction / size).normalized();
+}
+
+void addDirection(CLI::App& command, const std::string& name, Eigen::Vector3d& direction,
+                  const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name, [&direction](const std::string& text) { direction = *directionFrom(text); }, help)
+      ->type_name("X,Y,Z")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return directionFrom(text) ? std::string()
+                                       : "expected a direction x,y,z that is not 0,0,0, for "
+                                         "example 1,0.5,2, found " +
+                                             text;
+          },
+          ""));
+}
+
+std::vector<std::string> familyNames() {
+  std::vector<std::string> names;
+  for (const LineFamily family : allLineFamilies()) names.emplace_back(nameOf(family));
+  return names;
+}
+
+/// "ridges=0.5"; why it is no threshold, or empty.
+std::string whyNotThreshold(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return "expected FAMILY=VALUE, found " + text;
+  const std::string why = whyNotNamed("line family", text.substr(0, equals), familyNames());
+  if (!why.empty()) return why;
+  const std::optional<double> value = numberFrom(std::string_view(text).substr(equals + 1));
+  if (!value || *value < 0.0) return "expected a number from 0 up after = in " + text;
+  return {};
+}
+
+void setLines(LineOptions& lines, const std::vector<std::string>& names) {
+  lines.on.fill(false);
+  for (const std::string& name : names) {
+    if (name == "all") {
+      lines.on.fill(true);
+    } else {
+      lines[*lineFamilyNamed(name)] = true;
+    }
+  }
+}
+
+}  // namespace
+
+void addMesh(CLI::App& command, std::string& mesh) {
+  command.add_option("mesh", mesh, kMeshHelp)->required()->type_name("MESH");
+}
+
+void addCamera(CLI::App& command, Camera& camera) {
+  addDirection(command, "--view", camera.towards, "From the mesh towards the viewer [0,0,1]");
+  addDirection(command, "--up", camera.up, "What appears upward [0,1,0]");
+  command
+      .add_option_function<double>(
+          "--perspective", [&camera](const double& angle) { camera.perspectiveDeg = angle; },
+          "Vertical field of view; without it the view is orthographic")
+      ->type_name("DEG")
+      ->check(CLI::Range(0.1, 179.0).description(""));
+}
+
+void addFields(CLI::App& command, FieldOptions& fields) {
+  command
+      .add_option_function<std::string>(
+          "--estimator",
+          [&fields](const std::string& name) {
+            fields.estimator = name == "jet" ? FieldEstimator::JetFit : FieldEstimator::OneRing;
+          },
+          "How curvature is found: jet, a local polynomial; one-ring, fast and rough [jet]")
+      ->type_name("NAME")
+      ->check(oneOf("estimator", {"jet", "one-ring"}));
+  command
+      .add_option("--scale", fields.scale,
+                  "Widens the neighbourhoods that curvature is found on: smooths noise, and\n"
+                  "features of that width with it [1]")
+      ->type_name("R")
+      ->check(CLI::Range(1.0, 100.0).description(""));
+  command.add_option("--threads", fields.threads, "Threads [all cores]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+}
+
+void addLineFamilies(CLI::App& command, LineOptions& lines) {
+  std::string all;
+  std::size_t inLine = 0;
+  for (const std::string& name : familyNames()) {
+    all += all.empty() ? "" : ",";
+    if (inLine + name.size() > kHelpColumn) {
+      all += "\n";
+      inLine = 0;
+    } else if (!all.empty()) {
+      all += " ";
+    }
+    all += name;
+    inLine += name.size() + 2;
+  }
+  std::vector<std::string> names = familyNames();
+  names.emplace_back("all");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--lines", [&lines](const std::vector<std::string>& chosen) { setLines(lines, chosen); },
+          "Line families, separated by commas:\n" + all +
+              ", or all [contours,apparent-ridges,boundaries]")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->check(oneOf("line family", names));
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--threshold",
+          [&lines](const std::vector<std::string>& thresholds) {
+            for (const std::string& text : thresholds) {
+              const std::size_t equals = text.find('=');
+              lines.threshold[static_cast<std::size_t>(*lineFamilyNamed(text.substr(0, equals)))] =
+                  *numberFrom(std::string_view(text).substr(equals + 1));
+            }
+          },
+          "Draw less or more of a family; may be repeated. Dimensionless: curvature times the\n"
+          "size of the mesh; of creases the angle between the triangles in degrees")
+      ->type_name("FAMILY=V")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(whyNotThreshold, ""));
+  command.add_flag("--unfiltered", lines.unfiltered,
+                   "Every crossing of the defining equations, weak, false and hidden ones too");
+  command
+      .add_option_function<std::string>(
+          "--derivative",
+          [&lines](const std::string& name) {
+            lines.derivative =
+                name == "one-ring" ? RidgeDerivative::OneRing : RidgeDerivative::ClosedForm;
+          },
+          "Apparent ridges: closed-form, or one-ring as the thesis did it [closed-form]")
+      ->type_name("NAME")
+      ->check(oneOf("derivative", {"closed-form", "one-ring"}));
+  command.add_option("--isophotes", lines.isophoteLevels, "How many levels of n.w [10]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""));
+  command.add_option("--topographic", lines.topographicLevels, "How many levels of height [20]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000).description(""));
+  addDirection(command, "--topographic-up", lines.topographicUp, "Which way height grows [0,1,0]");
+}
+
+void setUsualLines(LineOptions& lines) {
+  lines[LineFamily::OccludingContours] = true;
+  lines[LineFamily::ApparentRidges] = true;
+  lines[LineFamily::Boundaries] = true;
+}
+
+PreparedMesh preparedMesh(const std::string& mesh, const FieldOptions& fields) {
+  PreparedMesh prepared;
+  const auto start = std::chrono::steady_clock::now();
+  prepared.built = loadNamedMesh(mesh);
+  prepared.readMs = millisecondsSince(start);
+  std::string mended;
+  if (!mesh.starts_with(kSolidReference)) {
+    for (const std::string& sentence : prepared.built.report.sentences()) {
+      mended += (mended.empty() ? "" : "; ") + sentence;
+    }
+  }
+  if (!mended.empty()) std::fprintf(stderr, "flatland: %s: %s\n", mesh.c_str(), mended.c_str());
+
+  const auto fieldsStart = std::chrono::steady_clock::now();
+  FieldOptions options = fields;
+  Progress progress;
+  options.progress = [&progress](double share) {
+    progress.say("curvature: " + std::to_string(std::lround(100.0 * share)) + " %");
+  };
+  prepared.fields = estimateFields(prepared.built.mesh, options);
+  prepared.fieldsMs = millisecondsSince(fieldsStart);
+  return prepared;
+}
+
+std::string commandWithoutFolders(int argc, const char* const* argv) {
+  std::vector<std::string> arguments;
+  for (int i = 0; i < argc; ++i) {
+    std::string argument = argv[i];
+    // "/a/b.obj", "-o/a/b.svg", "--output=/a/b.svg"
+    std::size_t start = std::string::npos;
+    if (argument.starts_with('/')) start = 0;
+    if (argument.starts_with("-o/")) start = 2;
+    if (const std::size_t equals = argument.find("=/"); equals != std::string::npos) {
+      start = equals + 1;
+    }
+    if (start != std::string::npos) argument.erase(start, argument.rfind('/') + 1 - start);
+    arguments.push_back(std::move(argument));
+  }
+  std::vector<const char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+  return shellLine(argc, pointers.data());
+}
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+}  // namespace flatland::ui

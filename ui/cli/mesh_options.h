@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "core3d/diff/estimate_fields.h"
+#include "core3d/draw/camera.h"
+#include "core3d/lines/feature_lines.h"
+#include "core3d/mesh/build_mesh.h"
+#include "ui/cli/command_line.h"
+
+namespace flatland::ui {
+
+/// What MESH means, for the help texts.
+inline constexpr const char* kMeshHelp =
+    "Mesh file (PLY, OBJ, STL, OFF, glTF, GLB), or solid:NAME[:CELLS[:irregular]]";
+
+/// The argument MESH.
+void addMesh(CLI::App& command, std::string& mesh);
+
+/// The options --view, --up and --perspective.
+void addCamera(CLI::App& command, Camera& camera);
+
+/// The options --estimator, --scale and --threads.
+void addFields(CLI::App& command, FieldOptions& fields);
+
+/// The options --lines, --threshold, --unfiltered, --derivative, --isophotes, --topographic and
+/// --topographic-up. Call setUsualLines before.
+void addLineFamilies(CLI::App& command, LineOptions& lines);
+
+/// Contours, apparent ridges and boundaries.
+void setUsualLines(LineOptions& lines);
+
+/// A mesh with its fields, and what they took.
+struct PreparedMesh {
+  BuiltMesh built;
+  SurfaceFields fields;
+  double readMs = 0.0, fieldsMs = 0.0;  ///< wall clock
+};
+
+/// Reads the mesh and estimates its fields, with progress. What was mended is told on standard
+/// error, in one line. Throws InputError.
+PreparedMesh preparedMesh(const std::string& mesh, const FieldOptions& fields);
+
+/// The command line without the folders of files that were given by absolute paths: what a picture
+/// may tell the world of where it was made.
+std::string commandWithoutFolders(int argc, const char* const* argv);
+
+/// Milliseconds since `start`, wall clock.
+double millisecondsSince(std::chrono::steady_clock::time_point start);
+
+}  // namespace flatland::ui

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/convergence_figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core3d/io/convergence_text.h"
+#include "ui/export/figure_builder.h"
+#include "ui/export/study_figure.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr double kLeftPx = 64.0, kRightPx = 16.0, kTopPx = 16.0, kBottomPx = 48.0;
+constexpr double kLegendLinePx = 18.0;
+constexpr double kLegendKeyPx = 30.0;
+
+struct Range {
+  double low, high;  // decades
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/// How a series is drawn.
+struct SeriesStyle {
+  Rgb colour;
+  MarkSymbol symbol;
+  std::vector<double> dash;
+};
+
+class Builder : FigureBuilder {
+ public:
+  explicit Builder(const ConvergenceFigureOptions& options)
+      : FigureBuilder(options.width, options.height, options.palette, options.textPx),
+        options_(options) {}
+
+  Figure build(const std::vector<ConvergenceSeries>& all, KnownCase subject) {
+    findRanges(all);
+    // The legend stands below the diagram, so that it covers no data.
+    bottom_ = options_.height - kBottomPx - kLegendLinePx * static_cast<double>(all.size());
+    addAxes(subject);
+    addEdgeLine();
+    for (std::size_t i = 0; i < all.size(); ++i) addSeries(all[i], i);
+    return std::move(figure_);
+  }
+
+ private:
+  static double distanceOf(const ConvergenceRow& row) { return row.medianEdges * row.edge; }
+  static bool isDrawn(const ConvergenceRow& row) {
+    return std::isfinite(row.medianEdges) && row.medianEdges > 0.0;
+  }
+
+  void findRanges(const std::vector<ConvergenceSeries>& all) {
+    bool any = false;
+    for (const ConvergenceSeries& series : all) {
+      for (const ConvergenceRow& row : series.rows) {
+        const double x = std::log10(row.edge);
+        if (!any) {
+          across_ = {x, x};
+          up_ = {x, x};
+          any = true;
+        }
+        across_.include(x);
+        up_.include(x);
+        if (isDrawn(row)) up_.include(std::log10(distanceOf(row)));
+      }
+    }
+    constexpr double kAir = 0.15;  // decades around the data
+    across_ = {across_.low - kAir, across_.high + kAir};
+    up_ = {std::floor(up_.low - kAir), std::ceil(up_.high + kAir)};
+  }
+
+  double xOf(double decade) const {
+    return kLeftPx + (decade - across_.low) / (across_.high - across_.low) *
+                         (options_.width - kLeftPx - kRightPx);
+  }
+  double yOf(double decade) const {
+    return bottom_ - (decade - up_.low) / (up_.high - up_.low) * (bottom_ - kTopPx);
+  }
+
+  void addAxes(KnownCase subject) {
+    FigureGroup& axis = group("axis", "axis");
+    for (double decade = up_.low; decade <= up_.high + 0.5; decade += 1.0) {
+      const double y = yOf(decade);
+      addLine(axis, {kLeftPx, y}, {options_.width - kRightPx, y}, gridStroke());
+      addText(axis, {kLeftPx - 6.0, y}, shortNumber(std::pow(10.0, decade)),
+              TextShape::Anchor::End);
+    }
+    for (int decade = static_cast<int>(std::floor(across_.low)); decade <= across_.high; ++decade) {
+      for (const double step : {1.0, 2.0, 5.0}) {
+        const double at = decade + std::log10(step);
+        if (at < across_.low || at > across_.high) continue;
+        addLine(axis, {xOf(at), kTopPx}, {xOf(at), bottom_}, gridStroke());
+        addText(axis, {xOf(at), bottom_ + 12.0}, shortNumber(step * std::pow(10.0, decade)),
+                TextShape::Anchor::Middle);
+      }
+    }
+    addLine(axis, {kLeftPx, kTopPx}, {kLeftPx, bottom_}, frameStroke());
+    addLine(axis, {kLeftPx, bottom_}, {options_.width - kRightPx, bottom_}, frameStroke());
+    addText(group("title", "title"), {0.5 * (kLeftPx + options_.width - kRightPx), bottom_ + 30.0},
+            std::string(nameOf(subject)) +
+                ": median distance to the exact apparent ridge against the mean edge length",
+            TextShape::Anchor::Middle);
+  }
+
+  /// Where the distance is as long as an edge.
+  void addEdgeLine() {
+    const double low = std::max(across_.low, up_.low), high = std::min(across_.high, up_.high);
+    if (!(low < high)) return;
+    FigureGroup& line = group("one-edge", "one-edge");
+    addLine(line, {xOf(low), yOf(low)}, {xOf(high), yOf(high)},
+            {.colour = colours_.faint, .width = 1.0, .dash = {2.0, 3.0}});
+    addText(line, {xOf(high) - 4.0, yOf(high) + 12.0}, "1 edge", TextShape::Anchor::End);
+  }
+
+  SeriesStyle styleOfSeries(const ConvergenceSeries& series) const {
+    const bool jet = series.estimator == FieldEstimator::JetFit;
+    const bool closed = series.derivative == RidgeDerivative::ClosedForm;
+    const MarkKind kind = jet ? MarkKind::Inflection : MarkKind::Ridge;
+    return {styleOf(kind, options_.palette).colour,
+            closed ? MarkSymbol::Dot : MarkSymbol::OpenSquare,
+            closed ? std::vector<double>{} : std::vector<double>{5.0, 3.0}};
+  }
+
+  void addSymbol(FigureGroup& to, const Vec2& at, const SeriesStyle& style) const {
+    constexpr double kSizePx = 8.0;
+    SymbolOutline outline = symbolOutline(style.symbol, at, kSizePx, 0.0);
+    if (outline.filled) {
+      to.shapes.emplace_back(PathShape{std::move(outline.path), style.colour, std::nullopt});
+    } else {
+      to.shapes.emplace_back(PathShape{std::move(outline.path), colours_.background,
+                                       Stroke{.colour = style.colour, .width = 1.5}});
+    }
+  }
+
+  void addSeries(const ConvergenceSeries& series, std::size_t index) {
+    const SeriesStyle style = styleOfSeries(series);
+    const std::string name =
+        std::string(nameOf(series.estimator)) + "-" + std::string(nameOf(series.derivative));
+    FigureGroup& lines = group("series-" + name, "series");
+    PathData path;
+    std::vector<Vec2> places;
+    for (const ConvergenceRow& row : series.rows) {
+      if (!isDrawn(row)) continue;
+      places.emplace_back(xOf(std::log10(row.edge)), yOf(std::log10(distanceOf(row))));
+      if (places.size() == 1) {
+        path.moveTo(places.back());
+      } else {
+        path.lineTo(places.back());
+      }
+    }
+    const Stroke stroke{.colour = style.colour, .width = 1.6, .dash = style.dash};
+    if (places.size() > 1) lines.shapes.emplace_back(PathShape{std::move(path), {}, stroke});
+    for (const Vec2& place : places) addSymbol(lines, place, style);
+
+    const double y = options_.height - kLegendLinePx * (static_cast<double>(index) + 0.5) - 2.0;
+    addLine(lines, {kLeftPx, y}, {kLeftPx + kLegendKeyPx, y}, stroke);
+    addSymbol(lines, {kLeftPx + 0.5 * kLegendKeyPx, y}, style);
+    std::array<char, 64> order{};
+    if (series.order) std::snprintf(order.data(), order.size(), ", order %.2f", *series.order);
+    addText(lines, {kLeftPx + kLegendKeyPx + 8.0, y},
+            std::string(nameOf(series.estimator)) + " curvature, " +
+                std::string(nameOf(series.derivative)) + " derivative" + order.data(),
+            TextShape::Anchor::Start);
+  }
+
+  const ConvergenceFigureOptions& options_;
+  double bottom_ = 0.0;
+  Range across_{0.0, 0.0}, up_{0.0, 0.0};
+};
+
+}  // namespace
+
+Figure convergenceFigure(const std::vector<ConvergenceSeries>& all, KnownCase subject,
+                         const ConvergenceFigureOptions& options) {
+  return Builder(options).build(all, subject);
+}
+
+}  // namespace flatland::ui
