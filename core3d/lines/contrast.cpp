@@ -95,43 +95,75 @@ std::optional<Exit> firstExit(const TriangleMesh& mesh, std::uint32_t triangle, 
   return exit;
 }
 
+// From a place on half-edge `entry` of a triangle: the edge by which it is left; none if the
+// direction points back.
+std::optional<Exit> nextExit(const TriangleMesh& mesh, std::uint32_t entry,
+                             const Eigen::Vector3f& place, const Eigen::Vector3f& direction) {
+  const std::uint32_t ca = TriangleMesh::nextCorner(entry),
+                      bc = TriangleMesh::previousCorner(entry);
+  // The entry runs from b to a; c is opposite.
+  const Eigen::Vector3f toB = mesh.position(mesh.vertexOf(entry)) - place,
+                        toA = mesh.position(mesh.vertexOf(ca)) - place,
+                        toC = mesh.position(mesh.vertexOf(bc)) - place;
+  const Eigen::Vector3f across = (toA - toB).cross(toC).cross(direction);
+  const float sa = across.dot(toA), sb = across.dot(toB), sc = across.dot(toC);
+  const bool byA = (sc > 0.0f) != (sa > 0.0f);
+  if (!byA && (sc > 0.0f) == (sb > 0.0f)) return std::nullopt;
+  const float t = byA ? sa / (sa - sc) : sc / (sc - sb);
+  const Eigen::Vector3f to =
+      byA ? Eigen::Vector3f(toA + t * (toC - toA)) : Eigen::Vector3f(toC + t * (toB - toC));
+  if (!(direction.dot(to) >= 0.0f)) return std::nullopt;
+  return Exit{byA ? ca : bc, t};
+}
+
 bool fallsAlong(const CurvatureField& field, std::uint32_t triangle, Step at,
                 const Eigen::Vector3f& normal, float reach) {
   // Enough for any reach on meshes of 10^9 triangles; stops a walk that goes in circles.
   constexpr int kMostSteps = 20000;
+  // Squared cosine of 2.5 degrees: less turning than that in one triangle is straight enough.
+  constexpr float kStraight = 0.998f;
   const TriangleMesh& mesh = field.mesh;
   const float low = at.value * (1.0f - Contrast::kFall), high = at.value * (1.0f + Contrast::kFall);
   float walked = 0.0f;
-  std::optional<Exit> exit = firstExit(mesh, triangle, at, normal);
+  std::uint32_t entry = TriangleMesh::kNone;  // half-edge that was crossed; none yet
+  const auto leave = [&](const Eigen::Vector3f& direction) {
+    if (entry != TriangleMesh::kNone) return nextExit(mesh, entry, at.place, direction);
+    return firstExit(mesh, triangle, {at.place, direction, at.value}, normal);
+  };
+  const auto skipped = [&](const Exit& exit) {
+    return field.flags && ((field.flags[mesh.vertexOf(exit.halfEdge)] |
+                            field.flags[mesh.vertexOf(TriangleMesh::nextCorner(exit.halfEdge))]) &
+                           VertexFlag::kSkipped);
+  };
+  const auto arrive = [&](const Exit& exit) {
+    return between(field, mesh.vertexOf(exit.halfEdge),
+                   mesh.vertexOf(TriangleMesh::nextCorner(exit.halfEdge)), exit.t, at.direction);
+  };
   for (int i = 0; i < kMostSteps; ++i) {
-    // Without an exit the direction turns back: a singular place of the field.
+    std::optional<Exit> exit = leave(at.direction);
+    // The direction turns back: a singular place of the field.
     if (!exit) return false;
-    const std::uint32_t a = mesh.vertexOf(exit->halfEdge),
-                        b = mesh.vertexOf(TriangleMesh::nextCorner(exit->halfEdge));
-    if (field.flags && ((field.flags[a] | field.flags[b]) & VertexFlag::kSkipped)) return true;
-    const Step next = between(field, a, b, exit->t, at.direction);
+    if (skipped(*exit)) return true;
+    Step next = arrive(*exit);
+    const float dot = at.direction.dot(next.direction),
+                squares = at.direction.squaredNorm() * next.direction.squaredNorm();
+    if (dot * dot < kStraight * squares) {
+      // Once more along the mean of the directions at both ends: without that a walk round a circle
+      // drifts outward, and sees a fall that is none.
+      const auto better = leave(at.direction.normalized() + next.direction.normalized());
+      if (better) {
+        exit = better;
+        if (skipped(*exit)) return true;
+        next = arrive(*exit);
+      }
+    }
     if (!(next.value < high)) return false;  // also what is no number
     if (next.value <= low) return true;
     walked += (next.place - at.place).norm();
     if (!(walked < reach)) return false;
     if (!mesh.hasOpposite(exit->halfEdge)) return true;
+    entry = mesh.opposite[exit->halfEdge];
     at = next;
-    // The next triangle, b to a to c: out by a c or by c b.
-    const std::uint32_t entry = mesh.opposite[exit->halfEdge];
-    const std::uint32_t c = mesh.vertexOf(TriangleMesh::previousCorner(entry));
-    const Eigen::Vector3f toA = mesh.position(a) - at.place, toB = mesh.position(b) - at.place,
-                          toC = mesh.position(c) - at.place;
-    const Eigen::Vector3f across = (toA - toB).cross(toC).cross(at.direction);
-    const float sa = across.dot(toA), sb = across.dot(toB), sc = across.dot(toC);
-    exit.reset();
-    const bool byA = (sc > 0.0f) != (sa > 0.0f);
-    if (!byA && (sc > 0.0f) == (sb > 0.0f)) continue;
-    const float t = byA ? sa / (sa - sc) : sc / (sc - sb);
-    const Eigen::Vector3f to =
-        byA ? Eigen::Vector3f(toA + t * (toC - toA)) : Eigen::Vector3f(toC + t * (toB - toC));
-    if (at.direction.dot(to) >= 0.0f) {
-      exit = Exit{byA ? TriangleMesh::nextCorner(entry) : TriangleMesh::previousCorner(entry), t};
-    }
   }
   return false;
 }
