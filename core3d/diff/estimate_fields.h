@@ -23,11 +23,14 @@ struct FieldOptions {
   double scale = 1.0;
   int threads = 0;  ///< 0: all cores. The result does not depend on it
   std::function<void(double)> progress =
-      {};                     ///< called with the share done, in [0, 1], by any thread
+      {};  ///< called with the share done, in [0, 1], never falling, by one thread at a time
   std::stop_token stop = {};  ///< asked often; a stopped estimate returns early
 };
 
-/// The fields of a mesh; empty (no vertices) if stopped.
+/// The fields of a mesh; empty (no vertices) if stopped. Vertices without a normal have 0
+/// throughout; nothing is ever infinite or NaN. About 6 microseconds of processor time a vertex
+/// (JetFit, up to twice that on noisy meshes) or 2 (OneRing). docs/math/surface_fields.md has the
+/// accuracy.
 SurfaceFields estimateFields(const TriangleMesh& mesh, const FieldOptions& options = {});
 
 }  // namespace flatland
