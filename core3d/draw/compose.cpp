@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "core3d/draw/bridges.h"
 #include "core3d/draw/chains.h"
 #include "core3d/draw/ink.h"
 #include "core3d/draw/strokes.h"
@@ -31,6 +32,10 @@ constexpr double kBesidePx = 1.5;
 constexpr double kLongShare = 0.02;
 // Ink that is closer to what was asked for counts as reached.
 constexpr double kInkTolerance = 0.01;
+
+// However far the thresholds fall for ink, strokes are weighed by this share of the given
+// threshold: ink that no lines are left for is not made up of crumbs.
+constexpr double kLeastUnit = 0.3;
 
 class Clock {
  public:
@@ -130,8 +135,14 @@ class Strokes {
     std::vector<StrokePart> all;
     for (std::size_t i = 0; i < chains_.size(); ++i) {
       const LineFamily family = chains_[i].line.chain.family;
-      const StrokeFilter filter{(movesWithInk(family) ? factor : 1.0) * threshold(family),
-                                lines_.unfiltered ? 0.0 : options_.minLengthPx};
+      const double given = threshold(family);
+      StrokeFilter filter;
+      filter.threshold = (movesWithInk(family) ? factor : 1.0) * given;
+      if (!lines_.unfiltered) filter.minLengthPx = options_.minLengthPx;
+      if (movesWithInk(family)) {
+        filter.minWeightPx = options_.minWeightPx;
+        filter.unitStrength = given * std::max(factor, kLeastUnit);
+      }
       for (const StrokePart& part : strokeParts(chains_[i], i, filter, options_.hysteresis)) {
         if (isDrawn(family, part.seen)) all.push_back(part);
       }
@@ -301,14 +312,21 @@ Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Proj
     drawing.stats.segments += found.of(family).size();
     const bool all = lines.unfiltered || (strokes.ink && movesWithInk(family));
     const double threshold = all ? 0.0 : lines.threshold[indexOf(family)];
+    std::vector<ScreenChain> chained;
     for (LineChain& chain : chainSegments(family, found.of(family))) {
       for (ScreenChain& line : onScreen(std::move(chain), projection)) {
-        // What cannot become a stroke need not be looked at.
-        if (strongStretches(line, threshold, strokes.hysteresis).empty()) continue;
-        chains.push_back({std::move(line), {}});
+        chained.push_back(std::move(line));
       }
-      if (stopped()) return drawing;
     }
+    if (isBridged(family) && !lines.unfiltered) {
+      chained = bridged(std::move(chained), projection, strokes.largestGapPx);
+    }
+    for (ScreenChain& line : chained) {
+      // What cannot become a stroke need not be looked at.
+      if (strongStretches(line, threshold, strokes.hysteresis).empty()) continue;
+      chains.push_back({std::move(line), {}});
+    }
+    if (stopped()) return drawing;
   }
   drawing.stats.chainMs = chainClock.ms();
 

@@ -32,9 +32,15 @@ struct StrokeOptions {
   /// A stroke that reaches the family's threshold somewhere is followed down to this share of it.
   double hysteresis = 0.6;
   double minLengthPx = 6.0;  ///< strokes shorter on the screen are dropped, except contours' loops
+  /// A stroke of a family with a threshold is dropped if its length, weighed by how many times the
+  /// threshold its strength is (at most 3), is less: short strokes have to be strong.
+  double minWeightPx = 30.0;
   double tolerancePx = 0.2;  ///< largest deviation on the screen from simplifying
   double smallestGapPx =
       3.0;  ///< visibility that changes for less than that along a stroke is smoothed over
+  /// Where ridges, valleys and suggestive lines break off and go on in the same direction within so
+  /// much, they are joined. 0: never.
+  double largestGapPx = 6.0;
   /// Share of the picture's pixels to be covered with ink at `inkWidthPx`: one factor on the
   /// thresholds of all families with a threshold but creases is solved for. Empty: thresholds as
   /// given.

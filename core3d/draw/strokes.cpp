@@ -64,6 +64,29 @@ struct Places {
   }
 };
 
+// How many times the threshold counts at most when strokes are weighed: a stroke of a third of the
+// weight asked for is kept if it is clear enough.
+constexpr double kMostTimes = 3.0;
+
+// The length between two places, each part times its strength over the unit.
+double weightOf(const ScreenChain& chain, double from, double to, double unit) {
+  const Places places{chain};
+  const auto times = [&](std::size_t i) {
+    const double s = static_cast<double>(chain.judged[places.point(i)]);
+    return std::min(s / unit, kMostTimes);
+  };
+  double weight = 0.0;
+  for (std::size_t i = std::max<std::size_t>(places.firstAfter(from), 1) - 1;
+       i + 1 < places.count() && places.place(i) < to; ++i) {
+    const double a = places.place(i), b = places.place(i + 1);
+    const double inside = std::min(b, to) - std::max(a, from);
+    if (!(inside > 0.0)) continue;
+    const double at = ((std::max(a, from) + std::min(b, to)) / 2.0 - a) / (b - a);
+    weight += inside * (times(i) + at * (times(i + 1) - times(i)));
+  }
+  return weight;
+}
+
 // Visible parts that follow one another, outline or not, are as long as they are together. `round`:
 // the last part is followed by the first.
 void dropCrumbs(std::vector<StrokePart>& parts, bool round, double minLengthPx) {
@@ -150,6 +173,10 @@ std::vector<StrokePart> strokeParts(const SeenChain& chain, std::size_t index,
   const bool closed = line.chain.closed;
   std::vector<StrokePart> parts;
   for (const auto& [from, to] : strongStretches(line, filter.threshold, hysteresis)) {
+    if (filter.unitStrength > 0.0 &&
+        weightOf(line, from, to, filter.unitStrength) < filter.minWeightPx) {
+      continue;
+    }
     const bool whole = closed && to - from >= length;
     if (whole && chain.stretches.size() == 1) {
       const Seen seen = chain.stretches.front().seen;

@@ -27,6 +27,8 @@ struct StrokePart {
 struct StrokeFilter {
   double threshold = 0.0;  ///< of strength; 0 keeps every strength
   double minLengthPx = 0.0;
+  double minWeightPx = 0.0;   ///< see StrokeOptions::minWeightPx
+  double unitStrength = 0.0;  ///< that weighs 1 px a px; 0: strokes are not weighed
 };
 
 /// The stretches of a chain whose strength stays at or above `hysteresis * threshold` and reaches

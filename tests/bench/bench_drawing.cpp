@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From segments to strokes: chaining and looking at what is hidden, swept over the size of the mesh.
+// From segments to strokes: chaining and looking at what is hidden, swept over the size of the
+// mesh.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -30,8 +31,7 @@ struct Bumpy {
     Camera camera;
     camera.towards = {1.0, 0.5, 0.7};
     projection = projectionOf(camera, mesh);
-    found.of(LineFamily::OccludingContours) =
-        interpolatedContours(mesh, fields, projection.view());
+    found.of(LineFamily::OccludingContours) = interpolatedContours(mesh, fields, projection.view());
   }
   static const Bumpy& of(benchmark::State& state) {
     static std::map<std::int64_t, Bumpy> made;

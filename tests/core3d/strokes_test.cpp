@@ -7,8 +7,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
+#include "core3d/draw/bridges.h"
 #include "core3d/draw/compose.h"
 #include "core3d/draw/ink.h"
 #include "core3d/mesh/build_mesh.h"
@@ -228,6 +230,117 @@ TEST(Strokes, CrumbsGoAndContoursLoopsStay) {
   EXPECT_TRUE(strokeParts(loop, 0, {0.0, 6.0}, 0.6).front().closed);
 }
 
+TEST(Strokes, ShortOnesHaveToBeStrong) {
+  // A unit of 2: strength 4 weighs twice the length, 9 no more than three times.
+  const auto kept = [](float strength, double length) {
+    SeenChain chain{straight({strength, strength}, length), {}};
+    chain.stretches = {{0.0, length, Seen::Visible}};
+    StrokeFilter filter;
+    filter.threshold = 1.0;
+    filter.minWeightPx = 30.0;
+    filter.unitStrength = 2.0;
+    return strokeParts(chain, 0, filter, 0.6).size() == 1;
+  };
+  EXPECT_TRUE(kept(2.0f, 30.1));
+  EXPECT_FALSE(kept(2.0f, 29.9));
+  EXPECT_TRUE(kept(4.0f, 15.1));
+  EXPECT_FALSE(kept(4.0f, 14.9));
+  EXPECT_TRUE(kept(90.0f, 10.1));
+  EXPECT_FALSE(kept(90.0f, 9.9));
+  EXPECT_TRUE(kept(1.0f, 60.1));
+  EXPECT_FALSE(kept(1.0f, 59.9));
+}
+
+// A line of which only some pieces of 1 px stand out.
+std::vector<LineSegment> partlyClear(int length, const std::function<bool(int)>& standsOut) {
+  std::vector<LineSegment> segments;
+  for (int i = 0; i < length; ++i) {
+    segments.push_back({{{static_cast<float>(i), 0, 0}, 10.0f, freeNode(i)},
+                        {{static_cast<float>(i + 1), 0, 0}, 10.0f, freeNode(i + 1)},
+                        0,
+                        0,
+                        standsOut(i)});
+  }
+  return segments;
+}
+
+TEST(Strokes, WhatStandsOutIsJudgedAlongTheLine) {
+  const auto judged = [](const std::function<bool(int)>& standsOut) {
+    const auto chains = chainSegments(LineFamily::Ridges, partlyClear(200, standsOut));
+    return onScreen(chains.front(), flatProjection()).front().judged;
+  };
+  for (const float j : judged([](int) { return true; })) EXPECT_EQ(j, 10.0f);
+  for (const float j : judged([](int) { return false; })) EXPECT_EQ(j, 0.0f);
+  // Every second or third piece is enough; one in six, 4 px of 24, is worth 5 / 9 of the strength.
+  for (const float j : judged([](int i) { return i % 3 == 0; })) EXPECT_NEAR(j, 10.0f, 1.0f);
+  const auto sixth = judged([](int i) { return i % 6 == 0; });
+  for (int i = 20; i < 180; ++i) EXPECT_NEAR(sixth[i], 10.0 * (1.0 / 6.0) / 0.3, 0.01);
+  // Half of a line that stands out does not speak for the other half.
+  const auto half = judged([](int i) { return i < 100; });
+  EXPECT_EQ(half[80], 10.0f);
+  EXPECT_EQ(half[120], 0.0f);
+}
+
+ScreenChain piece(const Vector2d& from, const Vector2d& to, float z = 0.0f) {
+  LineChain chain;
+  chain.family = LineFamily::ApparentRidges;
+  for (int i = 0; i <= 10; ++i) {
+    const Vector2d p = from + 0.1 * i * (to - from);
+    chain.points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), z);
+    chain.strength.push_back(static_cast<float>(i));
+    if (i > 0) chain.triangles.push_back(7);
+    if (i > 0) chain.standsOut.push_back(true);
+  }
+  return onScreen(chain, flatProjection()).front();
+}
+
+TEST(Bridges, JoinWhatGoesOnInTheSameDirection) {
+  // Three dashes in a row, the middle one the other way round.
+  const auto joined =
+      bridged({piece({0, 0}, {20, 0}), piece({44, 1}, {24, 0}), piece({48, 1}, {70, 0})},
+              flatProjection(), 6.0);
+  ASSERT_EQ(joined.size(), 1u);
+  const LineChain& chain = joined[0].chain;
+  ASSERT_EQ(chain.points.size(), 33u);
+  EXPECT_EQ(chain.pieceCount(), chain.triangles.size());
+  EXPECT_EQ(chain.pieceCount(), chain.standsOut.size());
+  EXPECT_EQ(chain.strength[11], 10.0f);  // where the middle dash, turned round, begins
+  for (std::size_t i = 0; i + 1 < 33; ++i) EXPECT_LT(chain.points[i].x(), chain.points[i + 1].x());
+}
+
+TEST(Bridges, LeaveApartWhatDoesNotBelongTogether) {
+  const auto joins = [](const ScreenChain& a, const ScreenChain& b) {
+    return bridged({a, b}, flatProjection(), 6.0).size() == 1;
+  };
+  const ScreenChain dash = piece({0, 0}, {20, 0});
+  EXPECT_TRUE(joins(dash, piece({25, 1}, {45, 1})));
+  EXPECT_FALSE(joins(dash, piece({27, 0}, {47, 0})));         // too far
+  EXPECT_FALSE(joins(dash, piece({20, 4}, {40, 4})));         // beside it
+  EXPECT_FALSE(joins(dash, piece({23, 0}, {23, 20})));        // round a corner
+  EXPECT_FALSE(joins(dash, piece({24, 0}, {27, 0})));         // a crumb shorter than the gap
+  EXPECT_FALSE(joins(dash, piece({24, 0}, {44, 0}, 30.0f)));  // before it, not on it
+  ScreenChain other = piece({24, 0}, {44, 0});
+  other.chain.level = 3;
+  EXPECT_FALSE(joins(dash, other));
+  EXPECT_EQ(bridged({dash, piece({24, 0}, {44, 0})}, flatProjection(), 0.0).size(), 2u);
+}
+
+TEST(Bridges, CloseALoopWithAGap) {
+  LineChain chain;
+  for (int i = 0; i <= 95; ++i) {
+    const double a = 2.0 * std::numbers::pi * i / 97.0;
+    chain.points.push_back((30.0 * Vector3d(std::cos(a), std::sin(a), 0.0)).cast<float>());
+    chain.strength.push_back(1.0f);
+  }
+  chain.triangles.assign(95, 0);
+  chain.standsOut.assign(95, true);
+  const auto joined = bridged(onScreen(chain, flatProjection()), flatProjection(), 6.0);
+  ASSERT_EQ(joined.size(), 1u);
+  EXPECT_TRUE(joined[0].chain.closed);
+  EXPECT_EQ(joined[0].chain.points.size(), 96u);
+  EXPECT_EQ(joined[0].chain.triangles.size(), 96u);
+}
+
 TEST(Strokes, OutlineAndContourAreOneLineWhenCrumbsAreLookedFor) {
   SeenChain chain{straight(std::vector<float>(101, 1.0f)), {}};
   chain.stretches = {{0.0, 4.0, Seen::Outline},
@@ -371,13 +484,13 @@ struct Sheet {
 TEST(Ink, IsMetByOneFactorOnTheThresholds) {
   const Sheet sheet;
   for (const double ink : {0.005, 0.01, 0.02, 0.03}) {
-    const Drawing drawing = sheet.draw({.ink = ink});
+    const Drawing drawing = sheet.draw({.minWeightPx = 0.0, .ink = ink});
     EXPECT_NEAR(drawing.stats.ink, ink, 0.01 * ink);
     EXPECT_TRUE(drawing.stats.inkReached);
     // The factor is what it says: drawing with it gives the same strokes, creases all the while.
     Sheet again = sheet;
     for (double& threshold : again.lines.threshold) threshold *= drawing.stats.thresholdFactor;
-    const Drawing same = again.draw({});
+    const Drawing same = again.draw({.minWeightPx = 0.0});
     EXPECT_EQ(same.polylines.size(), drawing.polylines.size());
     EXPECT_DOUBLE_EQ(same.stats.ink, drawing.stats.ink);
     EXPECT_EQ(std::count_if(drawing.polylines.begin(), drawing.polylines.end(),
@@ -388,7 +501,7 @@ TEST(Ink, IsMetByOneFactorOnTheThresholds) {
 
 TEST(Ink, SaysWhenItCannotBeMet) {
   const Sheet sheet;
-  const Drawing all = sheet.draw({.ink = 0.5});
+  const Drawing all = sheet.draw({.minWeightPx = 0.0, .largestGapPx = 0.0, .ink = 0.5});
   EXPECT_FALSE(all.stats.inkReached);
   EXPECT_EQ(all.polylines.size(), 803u);
   EXPECT_EQ(all.stats.thresholdFactor, 0.0);
@@ -402,7 +515,7 @@ TEST(Compose, SaysHowMuchIsNoCrumb) {
   const Sheet sheet;
   // At 280 px a unit: ridges of 17 px are shorter than 2 % of the diagonal of 1000 px, the others
   // of 22 and 112 px longer.
-  const Drawing drawing = sheet.draw({});
+  const Drawing drawing = sheet.draw({.minWeightPx = 0.0, .largestGapPx = 0.0});
   double total = 0.0, inLong = 0.0;
   for (const Polyline& line : drawing.polylines) {
     const double length = (line.screen[1] - line.screen[0]).norm();
@@ -436,11 +549,11 @@ TEST(Compose, StopsWhenAsked) {
 
 TEST(Compose, OrderOfSegmentsDoesNotMatter) {
   Sheet sheet;
-  const Drawing before = sheet.draw({.ink = 0.02});
+  const Drawing before = sheet.draw({.minWeightPx = 0.0, .ink = 0.02});
   Random random(announcedSeed("OrderOfSegmentsDoesNotMatter", 13));
   for (auto& segments : sheet.found.segments)
     std::shuffle(segments.begin(), segments.end(), random);
-  const Drawing after = sheet.draw({.ink = 0.02});
+  const Drawing after = sheet.draw({.minWeightPx = 0.0, .ink = 0.02});
   ASSERT_EQ(before.polylines.size(), after.polylines.size());
   for (std::size_t i = 0; i < before.polylines.size(); ++i) {
     EXPECT_EQ(before.polylines[i].screen, after.polylines[i].screen);

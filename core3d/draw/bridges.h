@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "core3d/draw/screen_chain.h"
+
+namespace flatland {
+
+/// True for the families of which noise tears pieces out: maxima and zeros of what is estimated
+/// from third derivatives.
+bool isBridged(LineFamily family);
+
+/// Joins chains of one family and level whose ends nearly meet, in one line: the gap is no longer
+/// than `largestGapPx`, nor than either chain, all three point within 45 degrees the same way, and
+/// on the surface the gap is not much longer than it looks. The nearest ends are joined first, each
+/// once; a chain whose own ends meet is closed. A bridge is one straight piece; it lies in the
+/// triangle that it starts from and stands out as the piece before it does.
+///
+/// The result does not depend on thresholds. Cost: O(n log n) for n chains that are not crowded.
+std::vector<ScreenChain> bridged(std::vector<ScreenChain> lines, const Projection& projection,
+                                 double largestGapPx);
+
+}  // namespace flatland
