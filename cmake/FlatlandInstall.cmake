@@ -34,7 +34,7 @@ target_compile_features(flatland_core PUBLIC cxx_std_20)
 install(TARGETS flatland_core EXPORT flatland ARCHIVE COMPONENT dev
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY flatland DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
-        FILES_MATCHING PATTERN "*.h" REGEX "io/(json_text|json_node|curve_json)\\.h$" EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" REGEX "io/(json_text|json_node|curve_json|surface_json)\\.h$" EXCLUDE)
 install(FILES flatland/LICENSE packaging/copyright
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libflatland-dev COMPONENT dev)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/flatland)

@@ -9,6 +9,7 @@
 #include "flatland/io/json_text.h"
 #include "flatland/io/number_text.h"
 #include "flatland/io/read_text.h"
+#include "flatland/io/surface_json.h"
 
 namespace flatland {
 
@@ -16,7 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
+constexpr int kSurfaceVersion = 3;  ///< with which surfaces came
 
 View viewFrom(const JsonNode& node) {
   node.allowKeys({"angleDeg", "distance"});
@@ -43,8 +45,24 @@ int versionFrom(const JsonNode& top) {
                " was made by a newer Flatland; this one reads up to version " +
                std::to_string(kVersion));
   }
-  if (version < 1) node->fail("expected version 1 or 2, found " + std::to_string(version));
+  if (version < 1) node->fail("expected version 1 to 3, found " + std::to_string(version));
   return version;
+}
+
+/// The mesh that a scene file means, and what the file says for a mesh: paths in a file start at
+/// its folder, so that scene and mesh can be moved together.
+std::string meshFrom(const std::filesystem::path& file, const std::string& mesh) {
+  if (namesSolid(mesh)) return mesh;
+  return std::filesystem::absolute(file.parent_path() / mesh).lexically_normal().string();
+}
+
+std::string meshBeside(const std::filesystem::path& file, const std::string& mesh) {
+  if (namesSolid(mesh)) return mesh;
+  const std::filesystem::path whole = std::filesystem::absolute(mesh).lexically_normal();
+  const std::filesystem::path folder =
+      std::filesystem::absolute(file).lexically_normal().parent_path();
+  const std::filesystem::path relative = whole.lexically_relative(folder);
+  return relative.empty() ? whole.string() : relative.generic_string();
 }
 
 }  // namespace
@@ -57,7 +75,7 @@ Scene sceneFromJson(const std::string& text, const std::string& source) {
   const JsonNode top(document, "", source);
   if (!document.is_object()) top.failExpected("an object");
   const int version = versionFrom(top);
-  top.allowKeys({"flatland", "curves", "view"});
+  top.allowKeys({"flatland", "curves", "view", "surface"});
   const std::optional<JsonNode> curves = top.find("curves");
   if (!curves) top.fail("missing \"curves\"");
 
@@ -66,12 +84,18 @@ Scene sceneFromJson(const std::string& text, const std::string& source) {
   scene.curves.reserve(count);
   for (std::size_t i = 0; i < count; ++i) scene.curves.push_back(curveFrom(curves->at(i), version));
   if (const std::optional<JsonNode> view = top.find("view")) scene.view = viewFrom(*view);
+  if (const std::optional<JsonNode> surface = top.find("surface")) {
+    if (version < kSurfaceVersion) {
+      surface->fail("came with version 3; write \"flatland\": 3");
+    }
+    scene.surface = surfaceFrom(*surface);
+  }
   return scene;
 }
 
 std::string sceneToJson(const Scene& scene) {
   // The lowest version that will do, so that older programs read what they can.
-  int version = 1;
+  int version = scene.surface ? kSurfaceVersion : 1;
   for (const SceneCurve& curve : scene.curves) version = std::max(version, versionOf(curve.shape));
   std::string text = "{\n  \"flatland\": " + std::to_string(version) + ",\n  \"curves\": [";
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
@@ -81,11 +105,15 @@ std::string sceneToJson(const Scene& scene) {
   text += "  \"view\": {\"angleDeg\": " + finiteText(scene.view.angleDeg, "view.angleDeg") +
           ", \"distance\": ";
   text += scene.view.distance ? lengthText(*scene.view.distance, "view.distance") : "null";
-  return text + "}\n}\n";
+  text += "}";
+  if (scene.surface) text += ",\n  \"surface\": " + surfaceText(*scene.surface, "surface");
+  return text + "\n}\n";
 }
 
 Scene loadScene(const std::filesystem::path& file) {
-  return sceneFromJson(readFile(file, kLargestSceneBytes), file.string());
+  Scene scene = sceneFromJson(readFile(file, kLargestSceneBytes), file.string());
+  if (scene.surface) scene.surface->mesh = meshFrom(file, scene.surface->mesh);
+  return scene;
 }
 
 Scene loadSceneFromStandardInput() {
@@ -93,7 +121,10 @@ Scene loadSceneFromStandardInput() {
 }
 
 void saveScene(const Scene& scene, const std::filesystem::path& file) {
-  writeFileAtomically(file, sceneToJson(scene));
+  if (!scene.surface) return writeFileAtomically(file, sceneToJson(scene));
+  Scene written = scene;
+  written.surface->mesh = meshBeside(file, scene.surface->mesh);
+  writeFileAtomically(file, sceneToJson(written));
 }
 
 }  // namespace flatland

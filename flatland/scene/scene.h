@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "flatland/curve/curve.h"
+#include "flatland/scene/surface_setting.h"
 #include "flatland/view/view.h"
 
 namespace flatland {
@@ -26,6 +28,7 @@ struct SceneCurve {
 struct Scene {
   std::vector<SceneCurve> curves;
   View view;
+  std::optional<SurfaceSetting> surface = {};  ///< beside the curves; no marks are found on it
 
   bool operator==(const Scene&) const = default;
 };

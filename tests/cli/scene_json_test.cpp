@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "flatland/io/read_text.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/run_program.h"
 
@@ -213,11 +214,11 @@ INSTANTIATE_TEST_SUITE_P(
         // Not a scene.
         BadScene{"list", "[]", "top level", "expected an object, found a list"},
         BadScene{"noVersion", R"({"curves": []})", "top level", "missing \"flatland\": 1"},
-        BadScene{"newer", R"({"flatland": 3, "curves": []})", "flatland",
-                 "version 3 was made by a newer Flatland; this one reads up to version 2"},
-        BadScene{"newerWithNewKeys", R"({"flatland": 3, "shapes": []})", "flatland", "newer"},
+        BadScene{"newer", R"({"flatland": 4, "curves": []})", "flatland",
+                 "version 4 was made by a newer Flatland; this one reads up to version 3"},
+        BadScene{"newerWithNewKeys", R"({"flatland": 4, "shapes": []})", "flatland", "newer"},
         BadScene{"zeroVersion", R"({"flatland": 0, "curves": []})", "flatland",
-                 "expected version 1 or 2, found 0"},
+                 "expected version 1 to 3, found 0"},
         BadScene{"halfVersion", R"({"flatland": 1.5, "curves": []})", "flatland",
                  "expected a whole number, found 1.5"},
         BadScene{"wordVersion", R"({"flatland": "1", "curves": []})", "flatland",
@@ -405,6 +406,97 @@ TEST(SceneJson, EveryNewKindSurvives) {
 TEST(SceneJson, IsOfVersion1UnlessItNeedsMore) {
   EXPECT_EQ(sceneToJson(read(newer(R"({"bezier": [[0, 1], [2.5, -3]]})"))),
             sceneToJson(read(kSmall)));
+}
+
+/// A scene of version 3 whose surface has these keys beside the mesh.
+std::string surface(const std::string& keys) {
+  return R"({"flatland": 3, "curves": [], "surface": {"mesh": "solid:torus")" + keys + "}}";
+}
+
+SurfaceSetting anySurface() {
+  SurfaceSetting setting;
+  setting.mesh = "solid:torus";
+  setting.camera.towards = Eigen::Vector3d(1.0, 2.0, -3.0).normalized();
+  setting.camera.up = {0.1, 1.0, 0.0};
+  setting.camera.centre = {0.1, -0.2, 1.0 / 3.0};
+  setting.camera.zoom = 2.5;
+  setting.camera.perspectiveDeg = 40.0;
+  setting.savedCameras = {{"Side \"A\"", {}}, {"other", setting.camera}};
+  setting.families = {{"apparent-ridges", true, 0.7, "#d55e00", 2.2, false},
+                      {"valleys", false, 1.0 / 7.0, "", 1.0, true}};
+  setting.style = "colours";
+  setting.quantity = "offset";
+  setting.hidden = "dashed";
+  setting.unfiltered = true;
+  setting.isophotes = 7;
+  setting.heights = 31;
+  setting.fitScale = 1.75;
+  return setting;
+}
+
+TEST(SceneJson, ASurfaceSurvives) {
+  Scene scene = read(kSmall);
+  scene.surface = anySurface();
+  const std::string text = sceneToJson(scene);
+  EXPECT_NE(text.find("\"flatland\": 3"), std::string::npos) << text;
+  EXPECT_EQ(read(text), scene) << text;
+  EXPECT_EQ(sceneToJson(read(text)), text);
+  scene.surface = SurfaceSetting{};
+  scene.surface->mesh = "solid:sphere";
+  EXPECT_EQ(read(sceneToJson(scene)), scene);
+  EXPECT_EQ(read(surface("")).surface->style, SurfaceSetting{}.style);
+}
+
+TEST(SceneJson, TheMeshGoesWithTheSceneFile) {
+  const test::TemporaryFolder folder;
+  Scene scene = read(kSmall);
+  scene.surface = SurfaceSetting{};
+  scene.surface->mesh = (folder.path() / "meshes" / "cow.obj").string();
+  const std::filesystem::path file = folder.path() / "scene.json";
+  saveScene(scene, file);
+  EXPECT_EQ(read(readFile(file, 1 << 20)).surface->mesh, "meshes/cow.obj");
+  EXPECT_EQ(loadScene(file).surface->mesh, scene.surface->mesh);
+  scene.surface->mesh = "solid:torus";
+  saveScene(scene, file);
+  EXPECT_EQ(loadScene(file).surface->mesh, "solid:torus");
+}
+
+TEST(SceneJson, SaysWhatIsWrongWithASurface) {
+  const struct {
+    std::string text, place, reason;
+  } cases[] = {
+      {R"({"flatland": 2, "curves": [], "surface": {"mesh": "a.ply"}})", "surface",
+       "came with version 3"},
+      {R"({"flatland": 3, "curves": [], "surface": {}})", "surface", "missing \"mesh\""},
+      {R"({"flatland": 3, "curves": [], "surface": {"mesh": ""}})", "surface.mesh",
+       "expected a file"},
+      {surface(R"(, "colour": 1)"), "surface", "unknown key \"colour\""},
+      {surface(R"(, "camera": {"zoom": 0})"), "surface.camera.zoom", "above 0"},
+      {surface(R"(, "camera": {"towards": [0, 0, 0]})"), "surface.camera.towards", "direction"},
+      {surface(R"(, "camera": {"towards": [0, 2, 0]})"), "surface.camera", "lies along"},
+      {surface(R"(, "camera": {"towards": [1, 2]})"), "surface.camera.towards", "three numbers"},
+      {surface(R"(, "camera": {"perspectiveDeg": 180})"), "surface.camera.perspectiveDeg",
+       "below 180"},
+      {surface(R"(, "families": [{"name": "a", "threshold": -1}])"),
+       "surface.families[0].threshold", "0 or above"},
+      {surface(R"(, "families": [{"name": "a"}, {"name": "a"}])"), "surface.families[1]",
+       "of this name"},
+      {surface(R"(, "families": [{"name": "a", "colour": "red"}])"), "surface.families[0].colour",
+       "a colour like"},
+      {surface(R"(, "families": [{"name": "a", "widthPx": 0}])"), "surface.families[0].widthPx",
+       "above 0"},
+      {surface(R"(, "isophotes": 0)"), "surface.isophotes", "1 to 1000"},
+      {surface(R"(, "fitScale": 0.5)"), "surface.fitScale", "at least 1"},
+  };
+  for (const auto& one : cases) {
+    try {
+      read(one.text);
+      ADD_FAILURE() << "read " << one.text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.place(), one.place) << one.text;
+      EXPECT_NE(std::string(error.what()).find(one.reason), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(SceneJson, SaysWhatIsWrongWithANewKind) {

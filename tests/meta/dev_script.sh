@@ -44,8 +44,8 @@ echo \"ctest \$*\" >>'$calls'; echo '100% tests passed'"
   chmod +x "$home/build/release/bin/flatland"
 }
 all='cmake g++ ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libtinygltf-dev libhwy-dev libembree-dev
- qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
- libqcustomplot-dev fonts-dejavu-core libgtest-dev libbenchmark-dev libboost-dev xvfb xauth fonts-urw-base35'
+ qt6-base-dev libqt6opengl6-dev libgl-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
+ libqcustomplot-dev fonts-dejavu-core libgtest-dev libbenchmark-dev libboost-dev xvfb xauth libgl1-mesa-dri fonts-urw-base35'
 all="${all//$'\n'/}"
 
 # dev EXPECTED_STATUS ARGS...: runs ./dev there with an empty environment and closed stdin.

@@ -13,7 +13,7 @@ own='^"(flatland|core3d|ui|tests)/.+"$'
 
 # The headers that lead to nlohmann_json: flatland/io's own, not installed, for its sources and the
 # JSON files of core3d/io alone.
-json_headers='flatland/io/(json_text|json_node|curve_json)\.h'
+json_headers='flatland/io/(json_text|json_node|curve_json|surface_json)\.h'
 
 # allowed FILE INCLUDE: succeeds if the file may include it; else prints the rule that forbids it.
 allowed() {

@@ -30,4 +30,18 @@ ReplaceScene::ReplaceScene(Document& document, Scene scene, const QString& text)
   setObsolete(scene_ == document_.scene());
 }
 
+SetSurface::SetSurface(Document& document, std::optional<SurfaceSetting> surface,
+                       const QString& text, int gesture)
+    : QUndoCommand(text), document_(document), surface_(std::move(surface)), gesture_(gesture) {
+  setObsolete(surface_ == document_.scene().surface);
+}
+
+int SetSurface::id() const { return gesture_ == 0 ? -1 : kSurfaceCommandId; }
+
+bool SetSurface::mergeWith(const QUndoCommand* other) {
+  if (static_cast<const SetSurface*>(other)->gesture_ != gesture_) return false;
+  setObsolete(surface_ == document_.scene().surface);  // the other is done already
+  return true;
+}
+
 }  // namespace flatland::ui

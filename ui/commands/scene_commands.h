@@ -40,4 +40,22 @@ class ReplaceScene : public QUndoCommand {
   Scene scene_;
 };
 
+/// Puts another surface beside the curves, draws it otherwise, or takes it away (nullopt). The
+/// camera of a surface that stays is left alone. Commands of one gesture become one step.
+class SetSurface : public QUndoCommand {
+ public:
+  SetSurface(Document& document, std::optional<SurfaceSetting> surface, const QString& text,
+             int gesture = 0);
+
+  void undo() override { document_.swapSurface(surface_); }
+  void redo() override { document_.swapSurface(surface_); }
+  int id() const override;
+  bool mergeWith(const QUndoCommand* other) override;
+
+ private:
+  Document& document_;
+  std::optional<SurfaceSetting> surface_;
+  int gesture_;
+};
+
 }  // namespace flatland::ui

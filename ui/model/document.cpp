@@ -87,4 +87,18 @@ void Document::swapScene(Scene& scene) {
   sceneChanged(Change::What::Scene);
 }
 
+void Document::swapSurface(std::optional<SurfaceSetting>& surface) {
+  if (surface && scene_.surface && surface->mesh == scene_.surface->mesh) {
+    surface->camera = scene_.surface->camera;
+  }
+  std::swap(scene_.surface, surface);
+  emit changed({Change::What::Surface});
+}
+
+void Document::setCamera(const SurfaceCamera& camera) {
+  if (scene_.surface->camera == camera) return;
+  scene_.surface->camera = camera;
+  emit changed({Change::What::Camera});
+}
+
 }  // namespace flatland::ui

@@ -21,12 +21,16 @@ struct Change {
     Points,    ///< points moved or a normal flipped; as many curves and points as before
     Topology,  ///< curves or points came or went
     View,      ///< the direction or distance of the viewer
-    Scene,     ///< another scene altogether
+    Scene,     ///< another scene altogether, surface and its camera included
+    Surface,   ///< which surface there is beside the curves, or how it is drawn
+    Camera,    ///< only from where the surface is seen
     File,      ///< only the name of the file
   };
   What what;
 
-  bool touchesScene() const { return what != What::File; }
+  /// True if curves or their view are others.
+  bool touchesScene() const { return what < What::Surface; }
+  bool touchesSurface() const { return what == What::Surface || what == What::Scene; }
 };
 
 /// The scene being edited, its marks, its file and its undo stack: the one place where they live.
@@ -89,6 +93,12 @@ class Document : public QObject {
   void swapCurves(std::vector<SceneCurve>& curves);
   void swapView(View& view);
   void swapScene(Scene& scene);
+  /// As long as the mesh stays, so does the camera: looking from elsewhere is no edit.
+  void swapSurface(std::optional<SurfaceSetting>& surface);
+
+  /// Looks at the surface from elsewhere. No edit: not undone, and alone no reason to save.
+  /// Precondition: there is a surface.
+  void setCamera(const SurfaceCamera& camera);
 
  signals:
   void changed(const flatland::ui::Change& change);

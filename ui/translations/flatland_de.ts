@@ -510,6 +510,102 @@
         <source>Two silhouettes, left and right, and two apparent minima with lambda = 1, facing the viewer and away. No ridge and no apparent ridge. The curve is listed as of constant curvature.</source>
         <translation>Zwei Silhouetten, links und rechts, und zwei scheinbare Minima mit lambda = 1, dem Betrachter zu- und abgewandt. Kein Grat und kein scheinbarer Grat. Die Kurve ist als von konstanter Krümmung aufgeführt.</translation>
     </message>
+    <message>
+        <source>Exterior silhouette</source>
+        <translation>Äußere Silhouette</translation>
+    </message>
+    <message>
+        <source>Occluding contours</source>
+        <translation>Verdeckende Konturen</translation>
+    </message>
+    <message>
+        <source>Suggestive contours</source>
+        <translation>Andeutende Konturen</translation>
+    </message>
+    <message>
+        <source>Suggestive highlights</source>
+        <translation>Andeutende Glanzlinien</translation>
+    </message>
+    <message>
+        <source>Apparent ridges</source>
+        <translation type="unfinished">Scheinbare Grate</translation>
+    </message>
+    <message>
+        <source>Principal highlights</source>
+        <translation>Hauptglanzlinien</translation>
+    </message>
+    <message>
+        <source>Isophotes</source>
+        <translation>Isophoten</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation type="unfinished">Grate</translation>
+    </message>
+    <message>
+        <source>Valleys</source>
+        <translation type="unfinished">Täler</translation>
+    </message>
+    <message>
+        <source>Parabolic lines</source>
+        <translation>Parabolische Linien</translation>
+    </message>
+    <message>
+        <source>Zero mean curvature</source>
+        <translation>Mittlere Krümmung null</translation>
+    </message>
+    <message>
+        <source>Creases</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Boundaries</source>
+        <translation>Ränder</translation>
+    </message>
+    <message>
+        <source>Self-intersections</source>
+        <translation>Selbstdurchdringungen</translation>
+    </message>
+    <message>
+        <source>Topographic lines</source>
+        <translation>Höhenlinien</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>torus</source>
+        <translation>Torus</translation>
+    </message>
+    <message>
+        <source>ellipsoid</source>
+        <translation>Ellipsoid</translation>
+    </message>
+    <message>
+        <source>saddle</source>
+        <translation>Sattel</translation>
+    </message>
+    <message>
+        <source>sine sheet</source>
+        <translation>Sinusblatt</translation>
+    </message>
+    <message>
+        <source>gaussian bump</source>
+        <translation>Gaußscher Buckel</translation>
+    </message>
+    <message>
+        <source>rounded cube</source>
+        <translation>Gerundeter Würfel</translation>
+    </message>
+    <message>
+        <source>bumpy sphere</source>
+        <translation>Bucklige Kugel</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
@@ -1973,6 +2069,113 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::FamiliesPanel</name>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Blass</translation>
+    </message>
+    <message>
+        <source>Draw these lines</source>
+        <translation>Diese Linien zeichnen</translation>
+    </message>
+    <message>
+        <source>Threshold of %1</source>
+        <translation>Schwelle von %1</translation>
+    </message>
+    <message>
+        <source>How strong a line must be; curvatures times the size of the surface</source>
+        <translation>Wie stark eine Linie sein muss; Krümmungen mal Größe der Fläche</translation>
+    </message>
+    <message>
+        <source>Smallest angle between the two triangles of an edge</source>
+        <translation>Kleinster Winkel zwischen den beiden Dreiecken einer Kante</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>Another colour; the usual one suits the background</source>
+        <translation>Eine andere Farbe; die übliche passt zum Hintergrund</translation>
+    </message>
+    <message>
+        <source>Width of %1</source>
+        <translation>Breite von %1</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source>Fade %1</source>
+        <translation>%1 blasser</translation>
+    </message>
+    <message>
+        <source>Weak lines are paler</source>
+        <translation>Schwache Linien sind blasser</translation>
+    </message>
+    <message>
+        <source>Lines that the surface hides</source>
+        <translation>Linien, die die Fläche verdeckt</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Weggelassen</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Hidden lines</source>
+        <translation>Verdeckte Linien</translation>
+    </message>
+    <message>
+        <source>Every crossing, unfiltered</source>
+        <translation>Alle Nullstellen, ungefiltert</translation>
+    </message>
+    <message>
+        <source>Also where the equation holds but no line is drawn: minima, weak ones, the far side</source>
+        <translation>Auch dort, wo die Gleichung gilt, aber keine Linie gezeichnet wird: Minima, schwache, die Rückseite</translation>
+    </message>
+    <message>
+        <source>How many levels of brightness</source>
+        <translation>Wie viele Stufen der Helligkeit</translation>
+    </message>
+    <message>
+        <source>How many levels of height</source>
+        <translation>Wie viele Stufen der Höhe</translation>
+    </message>
+    <message>
+        <source>Isophotes</source>
+        <translation>Isophoten</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>change lines</source>
+        <translation>Linien ändern</translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::FamilyEditor</name>
     <message>
         <source>change parameter</source>
@@ -2094,6 +2297,13 @@
     <message>
         <source>column %1: %2</source>
         <translation>Spalte %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::GlCanvas</name>
+    <message>
+        <source>OpenGL: %1</source>
+        <translation>OpenGL: %1</translation>
     </message>
 </context>
 <context>
@@ -3471,6 +3681,237 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>How large is the offset term against the feature term, over many random curves? Press Run.</source>
         <translation>Wie groß ist der Versatzterm gegen den Merkmalsterm, über viele zufällige Kurven? Drücken Sie Starten.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SurfaceArea</name>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished">Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Give up reading; what was there before stays</source>
+        <translation>Nicht weiter lesen; was vorher da war, bleibt</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>Das Netz wird gelesen</translation>
+    </message>
+    <message>
+        <source>Estimating curvature</source>
+        <translation>Die Krümmung wird geschätzt</translation>
+    </message>
+    <message>
+        <source>No surface yet. Open a mesh (PLY, OBJ, STL, OFF, glTF) by Surface &gt; Open Mesh, drop one here, or take one of Surface &gt; Solids.</source>
+        <translation>Noch keine Fläche. Öffne ein Netz (PLY, OBJ, STL, OFF, glTF) mit Fläche &gt; Netz öffnen, lass eines hierher fallen oder nimm eines von Fläche &gt; Körper.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SurfaceInput</name>
+    <message>
+        <source>Drag: turn. Shift + drag: move. Wheel: zoom. 1 3 7: views. 5: perspective.</source>
+        <translation>Ziehen: drehen. Umschalt + Ziehen: verschieben. Rad: Zoom. 1 3 7: Ansichten. 5: Perspektive.</translation>
+    </message>
+    <message>
+        <source>Turning; Esc takes it back</source>
+        <translation>Drehen; Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Moving; Esc takes it back</source>
+        <translation>Verschieben; Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Rolling; Esc takes it back</source>
+        <translation>Rollen; Esc nimmt es zurück</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SurfaceOverlay</name>
+    <message>
+        <source>k₁, largest curvature</source>
+        <translation>k₁, größte Krümmung</translation>
+    </message>
+    <message>
+        <source>k₂, smallest curvature</source>
+        <translation>k₂, kleinste Krümmung</translation>
+    </message>
+    <message>
+        <source>λ, view-dependent curvature</source>
+        <translation>λ, blickabhängige Krümmung</translation>
+    </message>
+    <message>
+        <source>Feature term</source>
+        <translation>Merkmalsterm</translation>
+    </message>
+    <message>
+        <source>Offset term</source>
+        <translation>Versatzterm</translation>
+    </message>
+    <message>
+        <source>|Offset| / |feature|</source>
+        <translation>|Versatz| / |Merkmal|</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Frame %1 ms</source>
+        <translation>Bild %1 ms</translation>
+    </message>
+    <message>
+        <source>Lines %1 ms</source>
+        <translation>Linien %1 ms</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keins</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>Merkmal %1</translation>
+    </message>
+    <message>
+        <source>offset %1</source>
+        <translation>Versatz %1</translation>
+    </message>
+    <message>
+        <source>perspective %1</source>
+        <translation>Perspektive %1</translation>
+    </message>
+    <message>
+        <source>|offset| / |feature| %1</source>
+        <translation>|Versatz| / |Merkmal| %1</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SurfacePanel</name>
+    <message>
+        <source>Paper, lines only</source>
+        <translation>Papier, nur Linien</translation>
+    </message>
+    <message>
+        <source>Flat triangles</source>
+        <translation>Flache Dreiecke</translation>
+    </message>
+    <message>
+        <source>Matt (Lambert)</source>
+        <translation>Matt (Lambert)</translation>
+    </message>
+    <message>
+        <source>Toon</source>
+        <translation>Comic</translation>
+    </message>
+    <message>
+        <source>Warm and cool (Gooch)</source>
+        <translation>Warm und kalt (Gooch)</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Farbkarte</translation>
+    </message>
+    <message>
+        <source>What is seen below the lines</source>
+        <translation>Was unter den Linien zu sehen ist</translation>
+    </message>
+    <message>
+        <source>change shading</source>
+        <translation>Schattierung ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Shading</source>
+        <translation>&amp;Schattierung</translation>
+    </message>
+    <message>
+        <source>What the colour map shows; curvatures times the size of the surface</source>
+        <translation>Was die Farbkarte zeigt; Krümmungen mal Größe der Fläche</translation>
+    </message>
+    <message>
+        <source>change colour map</source>
+        <translation>Farbkarte ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of</source>
+        <translation>&amp;Farben von</translation>
+    </message>
+    <message>
+        <source>How much larger than needed the neighbourhoods are that curvature is estimated from: larger is smoother</source>
+        <translation>Wie viel größer als nötig die Umgebungen sind, aus denen die Krümmung geschätzt wird: größer ist glatter</translation>
+    </message>
+    <message>
+        <source>change smoothness</source>
+        <translation>Glättung ändern</translation>
+    </message>
+    <message>
+        <source>S&amp;moothness</source>
+        <translation>&amp;Glättung</translation>
+    </message>
+    <message>
+        <source>Cameras kept</source>
+        <translation>Behaltene Kameras</translation>
+    </message>
+    <message>
+        <source>Double-click or Return: look from there again</source>
+        <translation>Doppelklick oder Eingabe: wieder von dort ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Camera</source>
+        <translation>Kamera &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Keep this view with the scene</source>
+        <translation>Diese Ansicht mit der Szene behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Vergessen</translation>
+    </message>
+    <message>
+        <source>Take the selected camera off the list</source>
+        <translation>Die gewählte Kamera von der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 triangles</source>
+        <translation>%1 Punkte, %2 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Read in %1 ms</source>
+        <translation>Gelesen in %1 ms</translation>
+    </message>
+    <message>
+        <source>Curvature in %1 ms</source>
+        <translation>Krümmung in %1 ms</translation>
+    </message>
+    <message>
+        <source>keep camera</source>
+        <translation>Kamera behalten</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>forget camera</source>
+        <translation>Kamera vergessen</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SurfaceSource</name>
+    <message>
+        <source>open %1</source>
+        <translation>%1 öffnen</translation>
     </message>
 </context>
 <context>

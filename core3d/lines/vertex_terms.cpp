@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "core3d/lines/vertex_terms.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flatland {
+
+std::optional<double> SurfaceTerms::offsetShare() const {
+  if (feature == 0.0 && offset == 0.0) return std::nullopt;
+  if (feature == 0.0) return std::numeric_limits<double>::infinity();
+  return std::abs(offset / feature);
+}
+
+std::optional<SurfaceTerms> termsAt(const TriangleMesh& mesh, const SurfaceFields& fields,
+                                    const SurfaceView& view, std::uint32_t vertex) {
+  const SurfacePoint point = fields.at(mesh, vertex);
+  if (point.n.isZero()) return std::nullopt;
+  SurfaceTerms terms{};
+  const double size = fields.size;
+  terms.k1 = point.K(0, 0) * size;
+  terms.k2 = point.K(1, 1) * size;
+  terms.n = point.n;
+  const Eigen::Vector3d w = view.towardsViewer(point.p);
+  terms.nw = point.n.dot(w);
+  terms.r.setZero();
+  if (const auto seen = apparentCurvature(seenFrom(point, w, view.distanceTo(point.p)))) {
+    terms.lambda = seen->lambda * size * size;
+    const double third = size * size * size;
+    terms.feature = seen->feature * third;
+    terms.offset = seen->offset * third;
+    terms.perspective = seen->perspective * third;
+    terms.r = point.frame * seen->r;
+  }
+  return terms;
+}
+
+std::uint32_t SurfaceHit::nearestVertex(const TriangleMesh& mesh) const {
+  const auto largest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+  return mesh.triangles[triangle][static_cast<std::size_t>(largest)];
+}
+
+std::optional<SurfaceHit> firstHit(const TriangleMesh& mesh, const Eigen::Vector3d& from,
+                                   const Eigen::Vector3d& along, bool wholeLine) {
+  std::optional<SurfaceHit> hit;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    const Eigen::Vector3d a = mesh.position(corners[0]).cast<double>();
+    const Eigen::Vector3d ab = mesh.position(corners[1]).cast<double>() - a;
+    const Eigen::Vector3d ac = mesh.position(corners[2]).cast<double>() - a;
+    // from + s along = a + u ab + v ac, by Cramer's rule.
+    const Eigen::Vector3d across = along.cross(ac);
+    const double volume = ab.dot(across);
+    if (volume == 0.0) continue;
+    const Eigen::Vector3d away = from - a;
+    const double u = away.dot(across) / volume;
+    if (!(u >= 0.0 && u <= 1.0)) continue;
+    const Eigen::Vector3d turned = away.cross(ab);
+    const double v = along.dot(turned) / volume;
+    if (!(v >= 0.0 && u + v <= 1.0)) continue;
+    const double s = ac.dot(turned) / volume;
+    if (s >= nearest || (!wholeLine && s <= 0.0)) continue;
+    nearest = s;
+    hit = SurfaceHit{t, {1.0 - u - v, u, v}, from + s * along};
+  }
+  return hit;
+}
+
+}  // namespace flatland

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "flatland/io/surface_json.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "flatland/io/curve_json.h"
+#include "flatland/io/input_error.h"
+#include "flatland/io/json_text.h"
+#include "flatland/io/number_text.h"
+
+namespace flatland {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kNotParallel = 1e-6;  ///< sine of the smallest angle between towards and up
+constexpr std::size_t kMostEntries = 1000;
+constexpr int kMostLevels = 1000;
+
+Eigen::Vector3d vectorFrom(const JsonNode& node) {
+  if (node.listSize("three numbers") != 3) node.fail("expected three numbers");
+  Eigen::Vector3d v;
+  for (std::size_t k = 0; k < 3; ++k) v(static_cast<Eigen::Index>(k)) = node.at(k).length();
+  return v;
+}
+
+double positive(const JsonNode& node, double atLeast = 0.0) {
+  const double value = node.length();
+  if (value > 0.0 && value >= atLeast) return value;
+  node.fail("expected a number " +
+            (atLeast > 0.0 ? "of at least " + numberText(atLeast) : "above 0") + ", found " +
+            numberText(value));
+}
+
+SurfaceCamera cameraFrom(const JsonNode& node) {
+  node.allowKeys({"towards", "up", "centre", "zoom", "perspectiveDeg"});
+  SurfaceCamera camera;
+  if (const auto towards = node.find("towards")) {
+    camera.towards = vectorFrom(*towards);
+    const double length = camera.towards.norm();
+    if (!(length > 0.0)) towards->fail("expected a direction, found 0, 0, 0");
+    // A direction of unit length is kept to its last bit.
+    if (std::abs(length - 1.0) > 1e-12) camera.towards /= length;
+  }
+  if (const auto up = node.find("up")) camera.up = vectorFrom(*up);
+  const double sine = camera.towards.cross(camera.up).norm();
+  if (!(sine > kNotParallel * camera.up.norm())) node.fail("\"up\" lies along \"towards\"");
+  if (const auto centre = node.find("centre")) camera.centre = vectorFrom(*centre);
+  if (const auto zoom = node.find("zoom")) camera.zoom = positive(*zoom);
+  const auto angle = node.find("perspectiveDeg");
+  if (angle && !angle->value().is_null()) {
+    camera.perspectiveDeg = positive(*angle);
+    if (!(*camera.perspectiveDeg < 180.0)) angle->fail("expected an angle below 180 degrees");
+  }
+  return camera;
+}
+
+bool isColour(const std::string& text) {
+  return text.size() == 7 && text[0] == '#' &&
+         std::all_of(text.begin() + 1, text.end(),
+                     [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; });
+}
+
+SurfaceFamily familyFrom(const JsonNode& node) {
+  node.allowKeys({"name", "on", "threshold", "colour", "widthPx", "fade"});
+  SurfaceFamily family;
+  family.name = node.at("name").text();
+  if (const auto on = node.find("on")) family.on = on->boolean();
+  if (const auto threshold = node.find("threshold")) {
+    family.threshold = threshold->length();
+    if (!(family.threshold >= 0.0)) threshold->fail("expected a threshold of 0 or above");
+  }
+  if (const auto colour = node.find("colour")) {
+    family.colour = colour->text();
+    if (!family.colour.empty() && !isColour(family.colour)) {
+      colour->fail("expected a colour like \"#d55e00\", or none");
+    }
+  }
+  if (const auto width = node.find("widthPx")) family.widthPx = positive(*width);
+  if (const auto fade = node.find("fade")) family.fade = fade->boolean();
+  return family;
+}
+
+int levels(const JsonNode& node) {
+  const int count = node.wholeNumber();
+  if (count < 1 || count > kMostLevels) {
+    node.fail("expected 1 to " + std::to_string(kMostLevels) + " levels");
+  }
+  return count;
+}
+
+std::size_t listSize(const JsonNode& node, const char* what) {
+  const std::size_t count = node.listSize(what);
+  if (count > kMostEntries) node.fail("more than " + std::to_string(kMostEntries) + " entries");
+  return count;
+}
+
+std::string quoted(const std::string& text, const std::string& path) {
+  try {
+    return json(text).dump();
+  } catch (const json::exception&) {
+    throw InputError("the scene", path, "not text in UTF-8");
+  }
+}
+
+std::string vectorText(const Eigen::Vector3d& v, const std::string& path) {
+  return "[" + lengthText(v.x(), path) + ", " + lengthText(v.y(), path) + ", " +
+         lengthText(v.z(), path) + "]";
+}
+
+std::string cameraText(const SurfaceCamera& camera, const std::string& path) {
+  return "{\"towards\": " + vectorText(camera.towards, path) +
+         ", \"up\": " + vectorText(camera.up, path) +
+         ", \"centre\": " + vectorText(camera.centre, path) +
+         ", \"zoom\": " + lengthText(camera.zoom, path) + ", \"perspectiveDeg\": " +
+         (camera.perspectiveDeg ? finiteText(*camera.perspectiveDeg, path) : "null") + "}";
+}
+
+std::string familyText(const SurfaceFamily& family, const std::string& path) {
+  return "{\"name\": " + quoted(family.name, path) + ", \"on\": " + (family.on ? "true" : "false") +
+         ", \"threshold\": " + lengthText(family.threshold, path) +
+         ", \"colour\": " + quoted(family.colour, path) +
+         ", \"widthPx\": " + lengthText(family.widthPx, path) +
+         ", \"fade\": " + (family.fade ? "true" : "false") + "}";
+}
+
+/// A list with an entry on each line, as the value of a key two levels deep.
+template <class Entries, class Text>
+std::string listText(const Entries& entries, const Text& textOf) {
+  if (entries.empty()) return "[]";
+  std::string text = "[";
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    text += (i == 0 ? "\n      " : ",\n      ") + textOf(entries[i], i);
+  }
+  return text + "\n    ]";
+}
+
+}  // namespace
+
+SurfaceSetting surfaceFrom(const JsonNode& node) {
+  node.allowKeys({"mesh", "camera", "savedCameras", "families", "style", "quantity", "hidden",
+                  "unfiltered", "isophotes", "heights", "fitScale"});
+  SurfaceSetting surface;
+  surface.mesh = node.at("mesh").text();
+  if (surface.mesh.empty()) node.at("mesh").fail("expected a file or solid:NAME");
+  if (const auto camera = node.find("camera")) surface.camera = cameraFrom(*camera);
+  if (const auto saved = node.find("savedCameras")) {
+    const std::size_t count = listSize(*saved, "a list of cameras");
+    for (std::size_t i = 0; i < count; ++i) {
+      const JsonNode entry = saved->at(i);
+      entry.allowKeys({"name", "camera"});
+      surface.savedCameras.push_back({entry.at("name").text(), cameraFrom(entry.at("camera"))});
+    }
+  }
+  if (const auto families = node.find("families")) {
+    const std::size_t count = listSize(*families, "a list of line families");
+    for (std::size_t i = 0; i < count; ++i) {
+      SurfaceFamily family = familyFrom(families->at(i));
+      for (const SurfaceFamily& before : surface.families) {
+        if (before.name == family.name) families->at(i).fail("there is one of this name already");
+      }
+      surface.families.push_back(std::move(family));
+    }
+  }
+  if (const auto style = node.find("style")) surface.style = style->text();
+  if (const auto quantity = node.find("quantity")) surface.quantity = quantity->text();
+  if (const auto hidden = node.find("hidden")) surface.hidden = hidden->text();
+  if (const auto unfiltered = node.find("unfiltered")) surface.unfiltered = unfiltered->boolean();
+  if (const auto count = node.find("isophotes")) surface.isophotes = levels(*count);
+  if (const auto count = node.find("heights")) surface.heights = levels(*count);
+  if (const auto scale = node.find("fitScale")) surface.fitScale = positive(*scale, 1.0);
+  return surface;
+}
+
+std::string surfaceText(const SurfaceSetting& surface, const std::string& path) {
+  const std::string cameras = pathTo(path, "savedCameras"), families = pathTo(path, "families");
+  return "{\n    \"mesh\": " + quoted(surface.mesh, pathTo(path, "mesh")) +
+         ",\n    \"camera\": " + cameraText(surface.camera, pathTo(path, "camera")) +
+         ",\n    \"savedCameras\": " +
+         listText(surface.savedCameras,
+                  [&](const SavedCamera& saved, std::size_t i) {
+                    const std::string place = pathTo(cameras, i);
+                    return "{\"name\": " + quoted(saved.name, place) +
+                           ", \"camera\": " + cameraText(saved.camera, place) + "}";
+                  }) +
+         ",\n    \"families\": " +
+         listText(surface.families,
+                  [&](const SurfaceFamily& family, std::size_t i) {
+                    return familyText(family, pathTo(families, i));
+                  }) +
+         ",\n    \"style\": " + quoted(surface.style, path) +
+         ",\n    \"quantity\": " + quoted(surface.quantity, path) +
+         ",\n    \"hidden\": " + quoted(surface.hidden, path) +
+         ",\n    \"unfiltered\": " + (surface.unfiltered ? "true" : "false") +
+         ",\n    \"isophotes\": " + std::to_string(surface.isophotes) +
+         ",\n    \"heights\": " + std::to_string(surface.heights) +
+         ",\n    \"fitScale\": " + lengthText(surface.fitScale, path) + "\n  }";
+}
+
+}  // namespace flatland

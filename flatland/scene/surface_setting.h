@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace flatland {
+
+// What a scene says of the surface beside its curves: which one, from where it is seen and how it
+// is drawn. Plain values; what the names stand for is known to the rooms above.
+
+/// From where the surface is seen, in coordinates that neither unit nor place of its file changes
+/// (the middle of the bounding box is 0, its longest side 2).
+struct SurfaceCamera {
+  Eigen::Vector3d towards = Eigen::Vector3d(0.45, 0.3, 1.0).normalized();  ///< to the viewer, unit
+  Eigen::Vector3d up = Eigen::Vector3d::UnitY();     ///< on the picture; not along `towards`
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< seen in the middle of the picture
+  double zoom = 1.0;                                 ///< > 1: larger than fitted
+  std::optional<double> perspectiveDeg;  ///< vertical field of view in (0, 180); empty: none
+
+  bool operator==(const SurfaceCamera&) const = default;
+};
+
+struct SavedCamera {
+  std::string name;
+  SurfaceCamera camera;
+
+  bool operator==(const SavedCamera&) const = default;
+};
+
+/// One family of lines. The name is that of the command line, "apparent-ridges".
+struct SurfaceFamily {
+  std::string name;
+  bool on = true;
+  double threshold = 0.0;  ///< dimensionless, >= 0
+  std::string colour;      ///< "#rrggbb"; empty: the one that suits the background
+  double widthPx = 1.6;    ///< > 0
+  bool fade = true;        ///< weak lines are paler
+
+  bool operator==(const SurfaceFamily&) const = default;
+};
+
+struct SurfaceSetting {
+  /// A mesh file (in files: relative to the scene's folder; in memory: absolute), or "solid:" and
+  /// the name of a built-in one.
+  std::string mesh;
+  SurfaceCamera camera;
+  std::vector<SavedCamera> savedCameras;
+  std::vector<SurfaceFamily> families;  ///< each name once; those not listed are as usual
+  std::string style = "lambert";        ///< what is below the lines: "paper", "lambert", ...
+  std::string quantity = "lambda";      ///< what the style "colours" shows: "k1", "k2", ...
+  std::string hidden = "off";           ///< hidden lines: "off", "dashed", "shown"
+  bool unfiltered = false;              ///< every crossing of the defining equations
+  int isophotes = 10, heights = 20;     ///< how many levels, >= 1
+  double fitScale = 1.0;                ///< of the neighbourhoods of the jet fit, >= 1
+
+  bool operator==(const SurfaceSetting&) const = default;
+};
+
+inline constexpr char kSolidPrefix[] = "solid:";
+/// True if the reference names a built-in solid, not a file.
+inline bool namesSolid(const std::string& mesh) { return mesh.rfind(kSolidPrefix, 0) == 0; }
+
+}  // namespace flatland

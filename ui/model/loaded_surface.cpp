@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/model/loaded_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+
+#include "core3d/diff/estimate_fields.h"
+#include "core3d/io/read_mesh.h"
+#include "core3d/mesh/build_mesh.h"
+#include "core3d/mesh/solids.h"
+#include "flatland/io/input_error.h"
+#include "flatland/scene/surface_setting.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr int kSolidCells = 80;  ///< fine enough to look smooth, estimated in about a second
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// "Gaussian bump" as it is typed: "gaussian-bump".
+std::string typedName(std::string name) {
+  for (char& c : name) {
+    c = c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return name;
+}
+
+BuiltMesh builtSolid(const std::string& reference) {
+  const std::string wanted = reference.substr(std::string(kSolidPrefix).size());
+  std::string known;
+  for (const Solid& solid : standardSolids()) {
+    const std::string name = typedName(solid.name());
+    if (name == wanted) return buildMesh(meshOf(solid, {.cells = kSolidCells}).soup, reference);
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  throw InputError(reference, "", "no such solid; there are " + known);
+}
+
+std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
+  std::vector<Eigen::Vector3f> normals(mesh.vertexCount(), Eigen::Vector3f::Zero());
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3f a = mesh.position(t[0]);
+    const Eigen::Vector3f area = (mesh.position(t[1]) - a).cross(mesh.position(t[2]) - a);
+    for (const std::uint32_t v : t) normals[v] += area;
+  }
+  for (Eigen::Vector3f& n : normals) n.normalize();
+  return normals;
+}
+
+}  // namespace
+
+LoadedSurface loadSurface(const std::string& reference) {
+  const auto start = Clock::now();
+  BuiltMesh built = namesSolid(reference) ? builtSolid(reference) : loadMesh(reference);
+  LoadedSurface surface;
+  surface.reference = reference;
+  surface.normals = vertexNormals(built.mesh);
+  float farthest = 0.0f;
+  for (std::uint32_t v = 0; v < built.mesh.vertexCount(); ++v) {
+    farthest = std::max(farthest, built.mesh.position(v).norm());
+  }
+  surface.ballRadius = farthest;
+  surface.report = std::move(built.report);
+  surface.mesh = std::make_shared<const TriangleMesh>(std::move(built.mesh));
+  surface.loadMs = millisecondsSince(start);
+  return surface;
+}
+
+std::shared_ptr<const LoadedSurface> withFields(const LoadedSurface& surface, double fitScale,
+                                                const std::function<bool(double)>& progress) {
+  const auto start = Clock::now();
+  std::stop_source stop;
+  std::mutex once;  // any thread of the estimate tells its progress
+  FieldOptions options;
+  options.scale = fitScale;
+  options.stop = stop.get_token();
+  options.progress = [&](double share) {
+    const std::lock_guard lock(once);
+    if (!progress(share)) stop.request_stop();
+  };
+  auto fields = std::make_shared<const SurfaceFields>(estimateFields(*surface.mesh, options));
+  if (stop.stop_requested() || fields->vertexCount() == 0) return nullptr;
+  auto whole = std::make_shared<LoadedSurface>(surface);
+  whole->fields = std::move(fields);
+  whole->fitScale = fitScale;
+  whole->fieldMs = millisecondsSince(start);
+  return whole;
+}
+
+std::vector<std::string> solidNames() {
+  std::vector<std::string> names;
+  for (const Solid& solid : standardSolids()) names.push_back(typedName(solid.name()));
+  return names;
+}
+
+std::string surfaceName(const std::string& reference) {
+  if (namesSolid(reference)) return reference.substr(std::string(kSolidPrefix).size());
+  return std::filesystem::path(reference).filename().string();
+}
+
+}  // namespace flatland::ui

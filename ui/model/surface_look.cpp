@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/model/surface_look.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "ui/export/line_style.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr std::array<std::string_view, kSurfaceStyleCount> kStyles = {
+    "paper", "flat", "lambert", "toon", "gooch", "normals", "colours"};
+constexpr std::array<std::string_view, kSurfaceQuantityCount> kQuantities = {
+    "k1", "k2", "lambda", "feature", "offset", "offset-share"};
+constexpr std::array<std::string_view, kHiddenLinesCount> kHidden = {"off", "dashed", "shown"};
+
+template <std::size_t N>
+std::optional<std::size_t> indexOf(const std::array<std::string_view, N>& names,
+                                   const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+bool isOnByDefault(LineFamily family) {
+  return family == LineFamily::OccludingContours || family == LineFamily::ApparentRidges ||
+         family == LineFamily::Boundaries;
+}
+
+}  // namespace
+
+std::string_view nameOf(SurfaceStyle style) { return kStyles[static_cast<std::size_t>(style)]; }
+std::string_view nameOf(SurfaceQuantity quantity) {
+  return kQuantities[static_cast<std::size_t>(quantity)];
+}
+std::string_view nameOf(HiddenLines hidden) { return kHidden[static_cast<std::size_t>(hidden)]; }
+
+SurfaceStyle styleOf(const SurfaceSetting& setting) {
+  const auto usual = static_cast<std::size_t>(SurfaceStyle::Lambert);
+  return static_cast<SurfaceStyle>(indexOf(kStyles, setting.style).value_or(usual));
+}
+
+SurfaceQuantity quantityOf(const SurfaceSetting& setting) {
+  const auto usual = static_cast<std::size_t>(SurfaceQuantity::Lambda);
+  return static_cast<SurfaceQuantity>(indexOf(kQuantities, setting.quantity).value_or(usual));
+}
+
+HiddenLines hiddenOf(const SurfaceSetting& setting) {
+  return static_cast<HiddenLines>(indexOf(kHidden, setting.hidden).value_or(0));
+}
+
+std::string unknownNames(const SurfaceSetting& setting) {
+  std::string names;
+  const auto add = [&names](const std::string& name) {
+    names += (names.empty() ? "" : ", ") + name;
+  };
+  if (!indexOf(kStyles, setting.style)) add("style " + setting.style);
+  if (!indexOf(kQuantities, setting.quantity)) add("quantity " + setting.quantity);
+  if (!indexOf(kHidden, setting.hidden)) add("hidden " + setting.hidden);
+  for (const SurfaceFamily& family : setting.families) {
+    if (!lineFamilyNamed(family.name)) add("family " + family.name);
+  }
+  return names;
+}
+
+SurfaceFamily usualFamily(LineFamily family) {
+  static const LineOptions kUsual;
+  SurfaceFamily usual;
+  usual.name = nameOf(family);
+  usual.on = isOnByDefault(family);
+  usual.threshold = kUsual.threshold[static_cast<std::size_t>(family)];
+  return usual;
+}
+
+SurfaceFamily familyOf(const SurfaceSetting& setting, LineFamily family) {
+  for (const SurfaceFamily& one : setting.families) {
+    if (one.name == nameOf(family)) return one;
+  }
+  return usualFamily(family);
+}
+
+SurfaceSetting withFamily(SurfaceSetting setting, const SurfaceFamily& family) {
+  for (SurfaceFamily& one : setting.families) {
+    if (one.name != family.name) continue;
+    one = family;
+    return setting;
+  }
+  setting.families.push_back(family);
+  return setting;
+}
+
+std::optional<Rgb> rgbOf(const std::string& hex) {
+  std::uint32_t value = 0;
+  if (hex.size() != 7 || hex[0] != '#') return std::nullopt;
+  const auto read = std::from_chars(hex.data() + 1, hex.data() + 7, value, 16);
+  if (read.ptr != hex.data() + 7) return std::nullopt;
+  return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+             static_cast<std::uint8_t>(value)};
+}
+
+Rgb colourOf(const SurfaceFamily& family, Palette palette) {
+  if (const std::optional<Rgb> own = rgbOf(family.colour)) return *own;
+  const std::optional<LineFamily> known = lineFamilyNamed(family.name);
+  return known ? lineColour(*known, palette) : sceneColours(palette).curve;
+}
+
+LineOptions lineOptionsOf(const SurfaceSetting& setting) {
+  LineOptions options;
+  for (const LineFamily family : allLineFamilies()) {
+    const SurfaceFamily look = familyOf(setting, family);
+    options[family] = look.on;
+    options.threshold[static_cast<std::size_t>(family)] = look.threshold;
+  }
+  options.unfiltered = setting.unfiltered;
+  options.isophoteLevels = setting.isophotes;
+  options.topographicLevels = setting.heights;
+  return options;
+}
+
+float inkOf(float strength, double threshold) {
+  if (!(threshold > 0.0)) return 1.0f;
+  const float above = strength / static_cast<float>(threshold) - 1.0f;
+  return std::clamp(kWeakestInk + (1.0f - kWeakestInk) * above, kWeakestInk, 1.0f);
+}
+
+}  // namespace flatland::ui

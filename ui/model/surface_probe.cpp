@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/model/surface_probe.h"
+
+namespace flatland::ui {
+
+std::optional<SurfaceReading> readingAt(const LoadedSurface& surface, const Projection& projection,
+                                        const Eigen::Vector2d& px) {
+  const TriangleMesh& mesh = *surface.mesh;
+  const Sight sight = sightThrough(projection, px);
+  const std::optional<SurfaceHit> hit =
+      firstHit(mesh, sight.from, sight.along, !projection.distance.has_value());
+  if (!hit) return std::nullopt;
+  SurfaceReading reading{};
+  reading.hit = *hit;
+  reading.vertex = hit->nearestVertex(mesh);
+  reading.fileVertex = mesh.fileVertex[reading.vertex];
+  reading.inFile = mesh.origin + mesh.unit * hit->at;
+  if (surface.fields) {
+    reading.terms = termsAt(mesh, *surface.fields, projection.view(), reading.vertex);
+  }
+  return reading;
+}
+
+}  // namespace flatland::ui

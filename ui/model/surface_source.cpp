@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/model/surface_source.h"
+
+#include <utility>
+
+#include "flatland/io/input_error.h"
+#include "ui/commands/scene_commands.h"
+
+namespace flatland::ui {
+
+SurfaceSource::SurfaceSource(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
+  connect(&document_, &Document::changed, this, &SurfaceSource::follow);
+  connect(&job_, &Job::failed, this, [this](const QString& reason) {
+    const bool wasReading = std::exchange(reading_, false);
+    emit failed(reason);
+    // What was to be replaced may have been without its fields yet.
+    if (wasReading && surface_ && !surface_->fields) estimate();
+  });
+  connect(&job_, &Job::progressed, this, &SurfaceSource::progressed);
+  connect(&job_, &Job::runningChanged, this, &SurfaceSource::busyChanged);
+}
+
+void SurfaceSource::setActive(bool active) {
+  active_ = active;
+  update();
+}
+
+void SurfaceSource::open(const QString& reference) { start(reference.toStdString(), true); }
+
+void SurfaceSource::cancel() {
+  reading_ = false;
+  job_.cancel();
+}
+
+void SurfaceSource::follow(const Change& change) {
+  if (change.touchesSurface()) update();
+}
+
+void SurfaceSource::update() {
+  const std::optional<SurfaceSetting>& setting = document_.scene().surface;
+  if (!setting) {
+    if (!surface_ && !reading_) return;
+    cancel();
+    wanted_.clear();
+    surface_ = nullptr;
+    emit changed();
+  } else if (active_) {
+    if (setting->mesh != wanted_) {
+      start(setting->mesh, false);
+    } else if (surface_ && surface_->fields && surface_->fitScale != setting->fitScale) {
+      estimate();
+    }
+  }
+}
+
+void SurfaceSource::start(const std::string& reference, bool isNew) {
+  if (!isNew) {
+    wanted_ = reference;
+    // Another surface than the scene's is not shown, not even for a while.
+    if (surface_ && surface_->reference != reference) {
+      surface_ = nullptr;
+      emit changed();
+    }
+  }
+  reading_ = true;
+  const double fitScale = document_.scene().surface ? document_.scene().surface->fitScale : 1.0;
+  using Data = std::shared_ptr<const LoadedSurface>;
+  job_.start<Data>(
+      [this, reference, fitScale, isNew](const JobControl& control) -> std::optional<Data> {
+        const auto mesh = std::make_shared<const LoadedSurface>(loadSurface(reference));
+        if (control.isCancelled()) return std::nullopt;
+        control.deliver([this, mesh, isNew] { show(mesh, isNew); });
+        Data whole = withFields(*mesh, fitScale, [&control](double share) {
+          control.setProgress(share);
+          return !control.isCancelled();
+        });
+        if (!whole) return std::nullopt;
+        return whole;
+      },
+      [this](const Data& whole) { show(whole, false); });
+}
+
+void SurfaceSource::estimate() {
+  using Data = std::shared_ptr<const LoadedSurface>;
+  job_.start<Data>(
+      [mesh = surface_, scale = document_.scene().surface->fitScale](
+          const JobControl& control) -> std::optional<Data> {
+        Data whole = withFields(*mesh, scale, [&control](double share) {
+          control.setProgress(share);
+          return !control.isCancelled();
+        });
+        if (!whole) return std::nullopt;
+        return whole;
+      },
+      [this](const Data& whole) { show(whole, false); });
+}
+
+void SurfaceSource::show(const std::shared_ptr<const LoadedSurface>& surface, bool isNew) {
+  reading_ = false;
+  surface_ = surface;
+  wanted_ = surface->reference;
+  if (isNew) {
+    SurfaceSetting setting = document_.scene().surface.value_or(SurfaceSetting{});
+    setting.mesh = surface->reference;
+    setting.camera = SurfaceCamera{};
+    setting.savedCameras.clear();
+    document_.push(std::make_unique<SetSurface>(
+        document_, std::move(setting),
+        tr("open %1").arg(QString::fromStdString(surfaceName(surface->reference)))));
+    emit opened(QString::fromStdString(surface->reference));
+  }
+  emit changed();
+}
+
+}  // namespace flatland::ui

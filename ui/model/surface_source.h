@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "ui/jobs/job.h"
+#include "ui/model/document.h"
+#include "ui/model/loaded_surface.h"
+
+namespace flatland::ui {
+
+/// The surface of the document: its mesh is read and its fields are estimated beside the window's
+/// thread, the mesh first, so that it can be looked at meanwhile. Nothing is read before somebody
+/// looks (setActive).
+class SurfaceSource : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SurfaceSource(Document& document, QObject* parent = nullptr);
+
+  /// Null if the scene has no surface, or none that could be read yet. Of the fields only those of
+  /// the scale asked for are kept.
+  const std::shared_ptr<const LoadedSurface>& surface() const { return surface_; }
+
+  /// Reads a mesh file, or makes a solid ("solid:torus"), and puts it beside the curves: one undo
+  /// step, done when it has been read. If it cannot be read, failed() tells why and nothing
+  /// changes. A surface that is there lends its families and style to the next one.
+  void open(const QString& reference);
+
+  /// Gives up reading, or estimating: what there was before stays.
+  void cancel();
+  bool isBusy() const { return job_.isRunning(); }
+  /// True while the mesh is still being read, and not only its fields.
+  bool isReading() const { return reading_; }
+
+  void setActive(bool active);
+
+ signals:
+  void changed();
+  void busyChanged(bool busy);
+  void progressed(double share);  ///< of the fields, in [0, 1]
+  void opened(const QString& name);
+  void failed(const QString& reason);
+
+ private:
+  void follow(const Change& change);
+  void update();
+  void start(const std::string& reference, bool isNew);
+  void estimate();
+  void show(const std::shared_ptr<const LoadedSurface>& surface, bool isNew);
+
+  Document& document_;
+  Job job_;
+  std::shared_ptr<const LoadedSurface> surface_;
+  std::string wanted_;  ///< reference of the last start; of one that failed too
+  bool active_ = false;
+  bool reading_ = false;
+};
+
+}  // namespace flatland::ui

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/gl_painter.h"
+
+#include <QMatrix4x4>
+#include <QVector3D>
+
+#include "ui/model/orbit.h"
+#include "ui/view3d/gl_shaders.h"
+
+namespace flatland::ui {
+
+namespace {
+
+QVector3D vectorOf(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
+
+template <class Value>
+void send(QOpenGLBuffer& buffer, const std::vector<Value>& values) {
+  if (!buffer.isCreated()) buffer.create();
+  buffer.bind();
+  buffer.allocate(values.data(), static_cast<int>(values.size() * sizeof(Value)));
+}
+
+constexpr float kHiddenInk = 0.6f;  ///< of dashed lines, as in the painted picture
+
+}  // namespace
+
+GlPainter::GlPainter() {
+  initializeOpenGLFunctions();
+  using Type = QOpenGLShader::ShaderTypeBit;
+  build(meshProgram_,
+        {{Type::Vertex, shaders::kMeshVertex}, {Type::Fragment, shaders::kMeshFragment}});
+  build(lineProgram_, {{Type::Vertex, shaders::kLineVertex},
+                       {Type::Geometry, shaders::kLineGeometry},
+                       {Type::Fragment, shaders::kLineFragment}});
+  meshArrays_.create();
+  lineArrays_.create();
+}
+
+void GlPainter::build(
+    QOpenGLShaderProgram& program,
+    std::initializer_list<std::pair<QOpenGLShader::ShaderType, const char*>> parts) {
+  for (const auto& [type, text] : parts) {
+    if (!program.addShaderFromSourceCode(type, text)) fault_ = program.log();
+  }
+  if (!program.link()) fault_ = program.log();
+}
+
+void GlPainter::sendMesh(const SurfacePicture& picture) {
+  const LoadedSurface& surface = *picture.surface;
+  if (mesh_ == surface.mesh) return;
+  mesh_ = surface.mesh;
+  coloured_.reset();
+  std::vector<Eigen::Vector3f> places;
+  places.reserve(mesh_->vertexCount());
+  for (std::uint32_t v = 0; v < mesh_->vertexCount(); ++v) places.push_back(mesh_->position(v));
+  const QOpenGLVertexArrayObject::Binder bound(&meshArrays_);
+  send(positions_, places);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  send(normals_, surface.normals);
+  glEnableVertexAttribArray(1);
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  send(indices_, mesh_->triangles);
+  indexCount_ = static_cast<int>(3 * mesh_->triangleCount());
+  glDisableVertexAttribArray(2);
+  hasColours_ = false;
+}
+
+void GlPainter::sendColours(const SurfacePicture& picture) {
+  const VertexColours* colours = picture.colours();
+  if (colours && coloured_ == picture.seen) return;
+  const QOpenGLVertexArrayObject::Binder bound(&meshArrays_);
+  hasColours_ = colours != nullptr;
+  coloured_ = colours ? picture.seen : nullptr;
+  if (!colours) return glDisableVertexAttribArray(2);
+  send(colours_, colours->rgb);
+  glEnableVertexAttribArray(2);
+  glVertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Rgb), nullptr);
+}
+
+void GlPainter::sendLines(const SurfacePicture& picture) {
+  if (picture.seen == seen_) return;
+  seen_ = picture.seen;
+  ranges_ = {};
+  std::vector<LineVertex> all;
+  if (seen_) {
+    for (std::size_t f = 0; f < kLineFamilyCount; ++f) {
+      ranges_[f] = {static_cast<int>(all.size()), static_cast<int>(seen_->lines[f].size())};
+      all.insert(all.end(), seen_->lines[f].begin(), seen_->lines[f].end());
+    }
+  }
+  const QOpenGLVertexArrayObject::Binder bound(&lineArrays_);
+  send(lines_, all);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
+}
+
+void GlPainter::paintMesh(const SurfacePicture& picture) {
+  const ShadingColours shading = shadingColours(picture.palette);
+  meshProgram_.bind();
+  meshProgram_.setUniformValue("clip", clip_);
+  meshProgram_.setUniformValue("axes", axes_);
+  meshProgram_.setUniformValue("style", static_cast<int>(styleOf(picture.setting)));
+  meshProgram_.setUniformValue("hasColours", hasColours_);
+  meshProgram_.setUniformValue("light", vectorOf(kLight));
+  meshProgram_.setUniformValue("background", vectorOf(shading.background));
+  meshProgram_.setUniformValue("base", vectorOf(shading.base));
+  meshProgram_.setUniformValue("dark", vectorOf(shading.dark));
+  meshProgram_.setUniformValue("warm", vectorOf(shading.warm));
+  meshProgram_.setUniformValue("cool", vectorOf(shading.cool));
+  const QOpenGLVertexArrayObject::Binder bound(&meshArrays_);
+  indices_.bind();
+  glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+}
+
+void GlPainter::paintLines(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
+                           bool hiddenOnes) {
+  lineProgram_.bind();
+  lineProgram_.setUniformValue("clip", clip_);
+  lineProgram_.setUniformValue("halfSize", QSizeF(pixels) / 2.0);
+  lineProgram_.setUniformValue("bias", kLineBias);
+  lineProgram_.setUniformValue("weakest", kWeakestInk);
+  const bool dashed = hiddenOnes && hiddenOf(picture.setting) == HiddenLines::Dashed;
+  lineProgram_.setUniformValue("dashPx", dashed ? kDashPx * static_cast<float>(pixelRatio) : 0.0f);
+  lineProgram_.setUniformValue("opacity", dashed ? kHiddenInk : 1.0f);
+  const QOpenGLVertexArrayObject::Binder bound(&lineArrays_);
+  for (const LineFamily family : allLineFamilies()) {
+    const SurfaceFamily look = familyOf(picture.setting, family);
+    const Range& range = ranges_[static_cast<std::size_t>(family)];
+    if (!look.on || range.count == 0) continue;
+    const Rgb colour = colourOf(look, picture.palette);
+    lineProgram_.setUniformValue("colour", QVector3D(colour.r, colour.g, colour.b) / 255.0f);
+    const bool fades = look.fade && !picture.setting.unfiltered;
+    lineProgram_.setUniformValue("threshold", fades ? static_cast<float>(look.threshold) : 0.0f);
+    lineProgram_.setUniformValue(
+        "halfWidth", static_cast<float>(0.5 * look.widthPx * picture.lineScale * pixelRatio));
+    glDrawArrays(GL_LINES, range.first, range.count);
+  }
+}
+
+void GlPainter::paint(const SurfacePicture& picture, const QSize& pixels, double pixelRatio) {
+  const ShadingColours shading = shadingColours(picture.palette);
+  glViewport(0, 0, pixels.width(), pixels.height());
+  glClearColor(shading.background[0], shading.background[1], shading.background[2], 1.0f);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (!picture.surface || !fault_.isEmpty()) return;
+  const double radius = picture.surface->ballRadius;
+  const Projection projection = orbitProjection(
+      picture.setting.camera, radius, pixels.width() / pixelRatio, pixels.height() / pixelRatio);
+  const Eigen::Matrix4d clip = clipMatrix(projection, radius);
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) clip_(i, k) = static_cast<float>(clip(i, k));
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) axes_(i, k) = static_cast<float>(projection.axes(i, k));
+  }
+  sendMesh(picture);
+  sendColours(picture);
+  sendLines(picture);
+
+  glEnable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDepthFunc(GL_LESS);
+  paintMesh(picture);
+  // Lines of one surface hide nothing.
+  const bool ofThis = picture.seen && picture.seen->surface->mesh == mesh_;
+  if (ofThis) {
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    if (hiddenOf(picture.setting) != HiddenLines::Off) {
+      glDepthFunc(GL_GREATER);
+      paintLines(picture, pixels, pixelRatio, true);
+    }
+    glDepthFunc(GL_LEQUAL);
+    paintLines(picture, pixels, pixelRatio, false);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+  }
+  glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QOpenGLBuffer>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+#include <QSize>
+#include <array>
+#include <memory>
+
+#include "ui/view3d/surface_picture.h"
+
+namespace flatland::ui {
+
+/// Draws a SurfacePicture with OpenGL 3.3 core. Made, used and destroyed while its context is
+/// current. What is on the card already is not sent again: a turn of the camera sends nothing but
+/// the lines found since.
+class GlPainter : protected QOpenGLExtraFunctions {
+ public:
+  GlPainter();
+
+  /// Empty if all is well, else why nothing can be drawn.
+  const QString& fault() const { return fault_; }
+
+  /// `pixels` is the size of the frame buffer.
+  void paint(const SurfacePicture& picture, const QSize& pixels, double pixelRatio);
+
+ private:
+  void build(QOpenGLShaderProgram& program,
+             std::initializer_list<std::pair<QOpenGLShader::ShaderType, const char*>> parts);
+  void sendMesh(const SurfacePicture& picture);
+  void sendColours(const SurfacePicture& picture);
+  void sendLines(const SurfacePicture& picture);
+  void paintMesh(const SurfacePicture& picture);
+  void paintLines(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
+                  bool hiddenOnes);
+
+  QString fault_;
+  QOpenGLShaderProgram meshProgram_, lineProgram_;
+  QOpenGLVertexArrayObject meshArrays_, lineArrays_;
+  QOpenGLBuffer positions_, normals_, colours_, indices_{QOpenGLBuffer::IndexBuffer}, lines_;
+  struct Range {
+    int first = 0, count = 0;
+  };
+  std::array<Range, kLineFamilyCount> ranges_{};
+  int indexCount_ = 0;
+  bool hasColours_ = false;
+  std::shared_ptr<const TriangleMesh> mesh_;  ///< the one on the card
+  std::shared_ptr<const SeenSurface> seen_, coloured_;
+  QMatrix4x4 clip_;
+  QMatrix3x3 axes_;
+};
+
+}  // namespace flatland::ui

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/surface_input.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
+#include <QWheelEvent>
+#include <QWidget>
+#include <cmath>
+#include <numbers>
+
+#include "ui/model/orbit.h"
+
+namespace flatland::ui {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kZoomPerNotch = 1.2;
+constexpr double kDegreesPerNotch = 120.0;    ///< QWheelEvent::angleDelta of one notch
+constexpr double kKeyStepShare = 1.0 / 36.0;  ///< of the height: an arrow key turns by 5 degrees
+constexpr int kSpinIntervalMs = 16;
+constexpr double kSpinStepRad = std::numbers::pi / 360.0;  ///< a turn in about 12 s
+
+Vector2d vectorOf(const QPointF& p) { return {p.x(), p.y()}; }
+
+bool scrollsByFingers(const QWheelEvent& event) {
+  if (event.device()->type() == QInputDevice::DeviceType::TouchPad) return true;
+  return event.phase() != Qt::NoScrollPhase;
+}
+
+}  // namespace
+
+bool isSurfaceKey(const QKeyEvent& event) {
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  switch (event.key()) {
+    case Qt::Key_1:
+    case Qt::Key_3:
+    case Qt::Key_5:
+    case Qt::Key_7:
+    case Qt::Key_9:
+    case Qt::Key_0:
+    case Qt::Key_F:
+    case Qt::Key_R:
+    case Qt::Key_Home:
+    case Qt::Key_Space:
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus:
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+      return true;
+    default:
+      return false;
+  }
+}
+
+SurfaceInput::SurfaceInput(QWidget& canvas, const SurfaceModels& models)
+    : QObject(&canvas), canvas_(canvas), models_(models) {
+  canvas.setFocusPolicy(Qt::StrongFocus);
+  canvas.setMouseTracking(true);
+  canvas.installEventFilter(this);
+  spin_.setInterval(kSpinIntervalMs);
+  connect(&spin_, &QTimer::timeout, this, [this] {
+    if (models_.document.scene().surface && drag_ == Drag::None) {
+      models_.document.setCamera(spun(camera(), kSpinStepRad));
+    }
+  });
+}
+
+void SurfaceInput::setSpinning(bool spins) {
+  if (spins == spin_.isActive()) return;
+  spins ? spin_.start() : spin_.stop();
+  emit spinningChanged(spins);
+}
+
+Projection SurfaceInput::projection() const {
+  const double radius = models_.source.surface() ? models_.source.surface()->ballRadius : 1.0;
+  return orbitProjection(camera(), radius, canvas_.width(), canvas_.height());
+}
+
+void SurfaceInput::setCamera(const SurfaceCamera& camera) { models_.document.setCamera(camera); }
+
+bool SurfaceInput::eventFilter(QObject*, QEvent* event) {
+  if (event->type() == QEvent::Leave) emit pointedAt(std::nullopt);
+  if (!models_.document.scene().surface) return false;
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      return press(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseMove:
+      return move(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseButtonRelease:
+      if (static_cast<const QMouseEvent*>(event)->buttons() == Qt::NoButton) endDrag();
+      return true;
+    case QEvent::Wheel:
+      return wheel(static_cast<const QWheelEvent&>(*event));
+    case QEvent::NativeGesture: {
+      const auto& gesture = static_cast<const QNativeGestureEvent&>(*event);
+      if (gesture.gestureType() == Qt::ZoomNativeGesture) {
+        setCamera(zoomedAt(camera(), projection(), vectorOf(gesture.position()),
+                           std::max(1.0 + gesture.value(), 0.1)));
+      } else if (gesture.gestureType() == Qt::RotateNativeGesture) {
+        setCamera(rolled(camera(), -gesture.value() * std::numbers::pi / 180.0));
+      }
+      return true;
+    }
+    case QEvent::ShortcutOverride: {
+      const auto& pressed = static_cast<const QKeyEvent&>(*event);
+      const bool takesBack =
+          pressed.key() == Qt::Key_Escape && (drag_ != Drag::None || isSpinning());
+      if (!isSurfaceKey(pressed) && !takesBack) return false;
+      event->accept();
+      return true;
+    }
+    case QEvent::KeyPress:
+      return key(static_cast<const QKeyEvent&>(*event));
+    case QEvent::FocusOut:
+      endDrag();
+      return false;
+    default:
+      return false;
+  }
+}
+
+bool SurfaceInput::press(const QMouseEvent& event) {
+  if (drag_ != Drag::None) return true;  // a second button changes nothing
+  canvas_.setFocus(Qt::MouseFocusReason);
+  const bool left = event.button() == Qt::LeftButton;
+  if (event.button() == Qt::MiddleButton || event.button() == Qt::RightButton ||
+      (left && event.modifiers().testFlag(Qt::ShiftModifier))) {
+    drag_ = Drag::Pan;
+    canvas_.setCursor(Qt::SizeAllCursor);
+  } else if (left) {
+    drag_ = event.modifiers().testFlag(Qt::ControlModifier) ? Drag::Roll : Drag::Orbit;
+    canvas_.setCursor(Qt::ClosedHandCursor);
+  } else {
+    return false;
+  }
+  last_ = event.position();
+  before_ = camera();
+  emit pointedAt(std::nullopt);
+  return true;
+}
+
+bool SurfaceInput::move(const QMouseEvent& event) {
+  // The button went up where no one told the canvas.
+  if (drag_ != Drag::None && event.buttons() == Qt::NoButton) endDrag();
+  const QPointF at = event.position();
+  const Vector2d by = vectorOf(at - last_);
+  switch (drag_) {
+    case Drag::None:
+      emit pointedAt(at);
+      emit hint(tr("Drag: turn. Shift + drag: move. Wheel: zoom. 1 3 7: views. 5: perspective."));
+      return true;
+    case Drag::Orbit:
+      setCamera(orbited(camera(), by, canvas_.height()));
+      emit hint(tr("Turning; Esc takes it back"));
+      break;
+    case Drag::Pan:
+      setCamera(panned(camera(), projection(), by));
+      emit hint(tr("Moving; Esc takes it back"));
+      break;
+    case Drag::Roll: {
+      const QPointF middle(0.5 * canvas_.width(), 0.5 * canvas_.height());
+      const Vector2d from = vectorOf(last_ - middle), to = vectorOf(at - middle);
+      const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+      setCamera(rolled(camera(), -angle));
+      emit hint(tr("Rolling; Esc takes it back"));
+      break;
+    }
+  }
+  last_ = at;
+  return true;
+}
+
+void SurfaceInput::endDrag() {
+  if (drag_ == Drag::None) return;
+  drag_ = Drag::None;
+  before_.reset();
+  canvas_.unsetCursor();
+}
+
+bool SurfaceInput::wheel(const QWheelEvent& event) {
+  const bool zooms = event.modifiers().testFlag(Qt::ControlModifier) ||
+                     (!scrollsByFingers(event) && models_.display.wheelZooms());
+  if (zooms) {
+    const double notches = event.angleDelta().y() / kDegreesPerNotch;
+    setCamera(zoomedAt(camera(), projection(), vectorOf(event.position()),
+                       std::pow(kZoomPerNotch, notches)));
+    return true;
+  }
+  // Two fingers move the picture as on the flat canvas, with Shift they turn it.
+  const QPoint pixels = event.pixelDelta();
+  const Vector2d by =
+      vectorOf(pixels.isNull() ? QPointF(event.angleDelta()) / 8.0 : QPointF(pixels));
+  setCamera(event.modifiers().testFlag(Qt::ShiftModifier) ? orbited(camera(), by, canvas_.height())
+                                                          : panned(camera(), projection(), by));
+  return true;
+}
+
+bool SurfaceInput::key(const QKeyEvent& event) {
+  if (event.key() == Qt::Key_Escape) {
+    if (drag_ != Drag::None) {
+      const SurfaceCamera before = *before_;
+      endDrag();
+      setCamera(before);
+      return true;
+    }
+    if (!isSpinning()) return false;
+    setSpinning(false);
+    return true;
+  }
+  if (!isSurfaceKey(event)) return false;
+  const double step = kKeyStepShare * canvas_.height();
+  const Vector2d middle(0.5 * canvas_.width(), 0.5 * canvas_.height());
+  const auto arrow = [&](double x, double y) {
+    const Vector2d by(x * step, y * step);
+    setCamera(event.modifiers().testFlag(Qt::ShiftModifier)
+                  ? panned(camera(), projection(), by)
+                  : orbited(camera(), by, canvas_.height()));
+  };
+  SurfaceCamera other = camera();
+  switch (event.key()) {
+    case Qt::Key_1:
+      setCamera(seenFrom(other, StandardView::Front));
+      break;
+    case Qt::Key_3:
+      setCamera(seenFrom(other, StandardView::Right));
+      break;
+    case Qt::Key_7:
+      setCamera(seenFrom(other, StandardView::Top));
+      break;
+    case Qt::Key_9:
+      other.towards = -other.towards;
+      setCamera(other);
+      break;
+    case Qt::Key_5:
+      setCamera(withPerspectiveToggled(other));
+      break;
+    case Qt::Key_F:
+      other.centre.setZero();
+      other.zoom = 1.0;
+      setCamera(other);
+      break;
+    case Qt::Key_0:
+    case Qt::Key_R:
+    case Qt::Key_Home:
+      setCamera(SurfaceCamera{});
+      break;
+    case Qt::Key_Space:
+      if (!event.isAutoRepeat()) setSpinning(!isSpinning());
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      setCamera(zoomedAt(other, projection(), middle, kZoomPerNotch));
+      break;
+    case Qt::Key_Minus:
+      setCamera(zoomedAt(other, projection(), middle, 1.0 / kZoomPerNotch));
+      break;
+    case Qt::Key_Left:
+      arrow(-1.0, 0.0);
+      break;
+    case Qt::Key_Right:
+      arrow(1.0, 0.0);
+      break;
+    case Qt::Key_Up:
+      arrow(0.0, -1.0);
+      break;
+    default:
+      arrow(0.0, 1.0);
+      break;
+  }
+  return true;
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+#include <optional>
+
+#include "core3d/draw/camera.h"
+#include "ui/view3d/surface_models.h"
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace flatland::ui {
+
+/// What mouse, trackpad and keys do to the camera, on whatever widget shows the surface. Every
+/// motion is Document::setCamera(); Esc takes a drag back.
+class SurfaceInput : public QObject {
+  Q_OBJECT
+
+ public:
+  SurfaceInput(QWidget& canvas, const SurfaceModels& models);
+
+  void setSpinning(bool spins);
+  bool isSpinning() const { return spin_.isActive(); }
+
+ signals:
+  /// The pointer is over this place of the canvas, or left.
+  void pointedAt(const std::optional<QPointF>& px);
+  void hint(const QString& text);
+  void spinningChanged(bool spins);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  enum class Drag { None, Orbit, Pan, Roll };
+  bool press(const QMouseEvent& event);
+  bool move(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  bool key(const QKeyEvent& event);
+  void endDrag();
+  void setCamera(const SurfaceCamera& camera);
+  const SurfaceCamera& camera() const { return models_.document.scene().surface->camera; }
+  Projection projection() const;
+
+  QWidget& canvas_;
+  SurfaceModels models_;
+  Drag drag_ = Drag::None;
+  QPointF last_;
+  std::optional<SurfaceCamera> before_;  ///< the drag
+  QTimer spin_;
+};
+
+/// True for keys that mean something here and may be shortcuts elsewhere.
+bool isSurfaceKey(const QKeyEvent& event);
+
+}  // namespace flatland::ui

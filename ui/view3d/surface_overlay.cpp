@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/surface_overlay.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <cmath>
+
+#include "ui/view3d/surface_picture.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr int kMargin = 10;
+constexpr double kBehindText = 0.72;  ///< opacity of the ground below words
+constexpr QSize kBar(180, 12);
+
+QString number(double value) { return QLocale().toString(value, 'g', 4); }
+
+/// Lines of text on a pale ground, with their corner at `at`; `flags` says which corner.
+void paintLines(QPainter& painter, const QRect& bounds, const QStringList& lines, int flags) {
+  if (lines.isEmpty()) return;
+  const QString text = lines.join('\n');
+  const QRect inner = bounds.adjusted(kMargin, kMargin, -kMargin, -kMargin);
+  const QRect box = painter.boundingRect(inner, flags, text);
+  QColor ground = painter.background().color();
+  ground.setAlphaF(static_cast<float>(kBehindText));
+  painter.fillRect(box.adjusted(-4, -2, 4, 2), ground);
+  painter.drawText(inner, flags, text);
+}
+
+}  // namespace
+
+QString quantityWords(SurfaceQuantity quantity) {
+  switch (quantity) {
+    case SurfaceQuantity::K1:
+      return SurfaceOverlay::tr("k₁, largest curvature");
+    case SurfaceQuantity::K2:
+      return SurfaceOverlay::tr("k₂, smallest curvature");
+    case SurfaceQuantity::Lambda:
+      return SurfaceOverlay::tr("λ, view-dependent curvature");
+    case SurfaceQuantity::Feature:
+      return SurfaceOverlay::tr("Feature term");
+    case SurfaceQuantity::Offset:
+      return SurfaceOverlay::tr("Offset term");
+    case SurfaceQuantity::OffsetShare:
+      break;
+  }
+  return SurfaceOverlay::tr("|Offset| / |feature|");
+}
+
+SurfaceOverlay::SurfaceOverlay(const SurfaceModels& models, QWidget* parent)
+    : QWidget(parent), models_(models) {
+  setObjectName("surface.overlay");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  const auto repaint = qOverload<>(&QWidget::update);
+  connect(&models_.source, &SurfaceSource::changed, this, repaint);
+  connect(&models_.seen, &SeenSource::changed, this, repaint);
+  connect(&models_.display, &Display::changed, this, repaint);
+}
+
+void SurfaceOverlay::setFrameMs(double milliseconds) {
+  // No update(): the words are painted after the picture below them, with every frame of it. An
+  // update would ask for another frame, and so on for ever.
+  frameMs_ = milliseconds;
+}
+
+void SurfaceOverlay::setReading(const std::optional<SurfaceReading>& reading) {
+  if (!reading && !reading_) return;
+  reading_ = reading;
+  update();
+}
+
+QStringList SurfaceOverlay::titleLines() const {
+  const auto& surface = models_.source.surface();
+  if (!surface) return {};
+  const QLocale locale;
+  return {QString::fromStdString(surfaceName(surface->reference)),
+          tr("%1 triangles").arg(locale.toString(surface->mesh->triangleCount()))};
+}
+
+QStringList SurfaceOverlay::timeLines() const {
+  if (!models_.source.surface()) return {};
+  const QLocale locale;
+  const auto milliseconds = [&locale](double ms) {
+    return locale.toString(ms, 'f', ms < 10.0 ? 1 : 0);
+  };
+  QStringList lines{tr("Frame %1 ms").arg(milliseconds(frameMs_))};
+  if (const auto& seen = models_.seen.seen()) {
+    lines << tr("Lines %1 ms").arg(milliseconds(seen->lineMs));
+  }
+  return lines;
+}
+
+QStringList SurfaceOverlay::readingLines() const {
+  if (!reading_) return {};
+  const Eigen::Vector3d& at = reading_->inFile;
+  QStringList lines{
+      QStringLiteral("%1, %2, %3").arg(number(at.x()), number(at.y()), number(at.z()))};
+  if (const auto& terms = reading_->terms) {
+    lines << QStringLiteral("k₁ %1   k₂ %2").arg(number(terms->k1), number(terms->k2));
+    lines << QStringLiteral("n·w %1   λ %2")
+                 .arg(number(terms->nw), terms->lambda ? number(*terms->lambda) : tr("none"));
+    lines << tr("feature %1").arg(number(terms->feature));
+    lines << tr("offset %1").arg(number(terms->offset));
+    if (models_.document.scene().surface->camera.perspectiveDeg) {
+      lines << tr("perspective %1").arg(number(terms->perspective));
+    }
+    if (const std::optional<double> share = terms->offsetShare()) {
+      lines << tr("|offset| / |feature| %1").arg(number(*share));
+    }
+  }
+  return lines;
+}
+
+void SurfaceOverlay::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const SurfacePicture picture = pictureOf(models_);
+  const SceneColours& colours = sceneColours(picture.palette);
+  painter.setPen(QColor(colours.text.r, colours.text.g, colours.text.b));
+  painter.setBackground(QColor(colours.background.r, colours.background.g, colours.background.b));
+  paintLines(painter, rect(), titleLines(), Qt::AlignLeft | Qt::AlignTop);
+  paintLines(painter, rect(), timeLines(), Qt::AlignRight | Qt::AlignTop);
+  paintLines(painter, rect(), readingLines(), Qt::AlignLeft | Qt::AlignBottom);
+  paintLegend(painter);
+}
+
+void SurfaceOverlay::paintLegend(QPainter& painter) {
+  const SurfacePicture picture = pictureOf(models_);
+  const VertexColours* map = picture.surface ? picture.colours() : nullptr;
+  if (!map) return;
+  const ColourScale& scale = map->scale;
+  const int line = painter.fontMetrics().height();
+  const QSize bar = kBar * models_.display.uiScale();
+  const QRect box(width() - kMargin - bar.width(), height() - kMargin - line - bar.height(),
+                  bar.width(), bar.height());
+  paintLines(painter, QRect(0, 0, width(), box.top() + kMargin - 2),
+             {quantityWords(scale.quantity)}, Qt::AlignRight | Qt::AlignBottom);
+  for (int x = 0; x < box.width(); ++x) {
+    const Rgb c = scale.at((x + 0.5) / box.width());
+    painter.fillRect(box.left() + x, box.top(), 1, box.height(), QColor(c.r, c.g, c.b));
+  }
+  painter.drawRect(box.adjusted(0, 0, -1, -1));
+  const auto end = [&scale](double value) {
+    return number(scale.logarithmic ? std::pow(10.0, value) : value);
+  };
+  const QRect words(box.left(), box.bottom() + 1, box.width(), line);
+  QColor ground = painter.background().color();
+  ground.setAlphaF(static_cast<float>(kBehindText));
+  painter.fillRect(words, ground);
+  painter.drawText(words, Qt::AlignLeft, end(scale.low));
+  if (scale.diverging) painter.drawText(words, Qt::AlignHCenter, scale.logarithmic ? "1" : "0");
+  painter.drawText(words, Qt::AlignRight, end(scale.high));
+}
+
+}  // namespace flatland::ui

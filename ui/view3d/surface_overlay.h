@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "ui/model/surface_probe.h"
+#include "ui/view3d/surface_models.h"
+
+namespace flatland::ui {
+
+/// What is written over the picture of the surface: its name and size, how long frame and lines
+/// took, the bar of colours, and what is under the pointer. Lets every event through.
+class SurfaceOverlay : public QWidget {
+  Q_OBJECT
+
+ public:
+  SurfaceOverlay(const SurfaceModels& models, QWidget* parent);
+
+  void setFrameMs(double milliseconds);
+  void setReading(const std::optional<SurfaceReading>& reading);
+  const std::optional<SurfaceReading>& reading() const { return reading_; }
+
+  /// The words at each corner, for tests and for who cannot see them.
+  QStringList titleLines() const;
+  QStringList timeLines() const;
+  QStringList readingLines() const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintLegend(QPainter& painter);
+
+  SurfaceModels models_;
+  double frameMs_ = 0.0;
+  std::optional<SurfaceReading> reading_;
+};
+
+/// "k1 (largest curvature)" in the person's language.
+QString quantityWords(SurfaceQuantity quantity);
+
+}  // namespace flatland::ui

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/surface_picture.h"
+
+#include <Eigen/Geometry>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/model/orbit.h"
+#include "ui/model/theme.h"
+
+namespace flatland::ui {
+
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kFiner =
+    2;  ///< the surface is drawn so much larger and then made small: smooth edges
+
+std::array<float, 3> shares(Rgb colour) {
+  return {static_cast<float>(colour.r) / 255.0f, static_cast<float>(colour.g) / 255.0f,
+          static_cast<float>(colour.b) / 255.0f};
+}
+
+Vector3f vectorOf(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// A vertex on the way to the picture: x, y in its pixels, z as in clip space, normal in its axes.
+struct Corner {
+  Vector3f at;
+  Vector3f normal;
+  bool inFront;
+};
+
+class Painter {
+ public:
+  Painter(const SurfacePicture& picture, const QSize& size)
+      : picture_(picture),
+        size_(size),
+        style_(styleOf(picture.setting)),
+        shading_(shadingColours(picture.palette)),
+        width_(size.width() * kFiner),
+        height_(size.height() * kFiner),
+        image_(width_, height_, QImage::Format_RGB32),
+        depth_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
+               std::numeric_limits<float>::infinity()) {
+    const Projection projection = orbitProjection(
+        picture.setting.camera, picture.surface->ballRadius, size.width(), size.height());
+    clip_ = clipMatrix(projection, picture.surface->ballRadius).cast<float>();
+    axes_ = projection.axes.cast<float>();
+  }
+
+  QImage paint() {
+    image_.fill(rgb(vectorOf(shading_.background)));
+    const TriangleMesh& mesh = *picture_.surface->mesh;
+    corners_.reserve(mesh.vertexCount());
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) corners_.push_back(cornerOf(v));
+    for (const auto& triangle : mesh.triangles) paintTriangle(triangle);
+    QImage small = image_.scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    if (picture_.seen && picture_.seen->surface->mesh == picture_.surface->mesh) paintLines(small);
+    return small;
+  }
+
+ private:
+  static QRgb rgb(const Vector3f& c) {
+    const auto byte = [](float share) {
+      return static_cast<int>(std::lround(std::clamp(share, 0.0f, 1.0f) * 255.0f));
+    };
+    return qRgb(byte(c.x()), byte(c.y()), byte(c.z()));
+  }
+
+  Vector3f toPicture(const Vector3f& p, bool* inFront) const {
+    const Eigen::Vector4f c = clip_ * Eigen::Vector4f(p.x(), p.y(), p.z(), 1.0f);
+    *inFront = c.w() > 0.0f && c.z() > -c.w();
+    return {(c.x() / c.w() * 0.5f + 0.5f) * static_cast<float>(width_),
+            (0.5f - c.y() / c.w() * 0.5f) * static_cast<float>(height_), c.z() / c.w()};
+  }
+
+  Corner cornerOf(std::uint32_t v) const {
+    Corner corner;
+    corner.at = toPicture(picture_.surface->mesh->position(v), &corner.inFront);
+    corner.normal = axes_ * picture_.surface->normals[v];
+    return corner;
+  }
+
+  Vector3f vertexColour(std::uint32_t v) const {
+    const VertexColours* colours = picture_.colours();
+    return colours ? vectorOf(shares(colours->rgb[v])) : vectorOf(shading_.base);
+  }
+
+  void paintTriangle(const std::array<std::uint32_t, 3>& t) {
+    const Corner &a = corners_[t[0]], &b = corners_[t[1]], &c = corners_[t[2]];
+    if (!a.inFront || !b.inFront || !c.inFront) return;
+    const Vector3f ab = b.at - a.at, ac = c.at - a.at;
+    const float area = ab.x() * ac.y() - ab.y() * ac.x();
+    if (area == 0.0f) return;
+    const auto low = [](float x, float y, float z) { return std::floor(std::min({x, y, z})); };
+    const auto high = [](float x, float y, float z) { return std::ceil(std::max({x, y, z})); };
+    const int left = std::max(static_cast<int>(low(a.at.x(), b.at.x(), c.at.x())), 0);
+    const int right = std::min(static_cast<int>(high(a.at.x(), b.at.x(), c.at.x())), width_ - 1);
+    const int top = std::max(static_cast<int>(low(a.at.y(), b.at.y(), c.at.y())), 0);
+    const int bottom = std::min(static_cast<int>(high(a.at.y(), b.at.y(), c.at.y())), height_ - 1);
+    // y is down in the picture, so what is counter-clockwise to the eye has a negative area here.
+    const bool front = area < 0.0f;
+    const Vector3f ca = vertexColour(t[0]), cb = vertexColour(t[1]), cc = vertexColour(t[2]);
+    Vector3f flat = flatNormal(t);
+    for (int y = top; y <= bottom; ++y) {
+      auto* row = reinterpret_cast<QRgb*>(image_.scanLine(y));
+      for (int x = left; x <= right; ++x) {
+        const float px = static_cast<float>(x) + 0.5f - a.at.x();
+        const float py = static_cast<float>(y) + 0.5f - a.at.y();
+        const float u = (px * ac.y() - py * ac.x()) / area;
+        const float v = (ab.x() * py - ab.y() * px) / area;
+        if (u < 0.0f || v < 0.0f || u + v > 1.0f) continue;
+        const float z = a.at.z() + u * ab.z() + v * ac.z();
+        float& nearest = depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                static_cast<std::size_t>(x)];
+        if (z >= nearest) continue;
+        nearest = z;
+        const float w = 1.0f - u - v;
+        Vector3f n = style_ == SurfaceStyle::Flat
+                         ? flat
+                         : Vector3f((w * a.normal + u * b.normal + v * c.normal).normalized());
+        if (!front) n = -n;
+        row[x] = rgb(shaded(n, w * ca + u * cb + v * cc));
+      }
+    }
+  }
+
+  Vector3f flatNormal(const std::array<std::uint32_t, 3>& t) const {
+    const TriangleMesh& mesh = *picture_.surface->mesh;
+    const Vector3f a = mesh.position(t[0]);
+    return axes_ * (mesh.position(t[1]) - a).cross(mesh.position(t[2]) - a).normalized();
+  }
+
+  /// The same as in the fragment shader of gl_shaders.h.
+  Vector3f shaded(const Vector3f& n, const Vector3f& colour) const {
+    const float light = n.dot(vectorOf(kLight));
+    const Vector3f base = vectorOf(shading_.base), dark = vectorOf(shading_.dark);
+    const auto mix = [](const Vector3f& a, const Vector3f& b, float t) {
+      return Vector3f(a + std::clamp(t, 0.0f, 1.0f) * (b - a));
+    };
+    switch (style_) {
+      case SurfaceStyle::Paper:
+        return vectorOf(shading_.background);
+      case SurfaceStyle::Flat:
+      case SurfaceStyle::Lambert:
+        return mix(dark, base, 0.25f + 0.75f * light);
+      case SurfaceStyle::Toon:
+        return mix(dark, base, light > 0.6f ? 1.0f : light > 0.2f ? 0.66f : 0.33f);
+      case SurfaceStyle::Gooch:
+        return mix(vectorOf(shading_.cool), vectorOf(shading_.warm), 0.5f + 0.5f * light);
+      case SurfaceStyle::Normals:
+        return 0.5f * n + Vector3f::Constant(0.5f);
+      case SurfaceStyle::Colours:
+        break;
+    }
+    return colour * (0.72f + 0.28f * std::max(light, 0.0f));
+  }
+
+  void paintLines(QImage& image) const {
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const HiddenLines hidden = hiddenOf(picture_.setting);
+    for (const LineFamily family : allLineFamilies()) {
+      const SurfaceFamily look = familyOf(picture_.setting, family);
+      if (!look.on) continue;
+      const Rgb colour = colourOf(look, picture_.palette);
+      const auto& ends = picture_.seen->lines[static_cast<std::size_t>(family)];
+      for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        paintSegment(painter, ends[i], ends[i + 1], look, colour, hidden);
+      }
+    }
+  }
+
+  void paintSegment(QPainter& painter, const LineVertex& a, const LineVertex& b,
+                    const SurfaceFamily& look, Rgb colour, HiddenLines hidden) const {
+    bool aInFront = false, bInFront = false;
+    const Vector3f from = toPicture({a.x, a.y, a.z}, &aInFront);
+    const Vector3f to = toPicture({b.x, b.y, b.z}, &bInFront);
+    if (!aInFront || !bInFront) return;
+    const bool visible = isVisible(0.5f * (from + to));
+    if (!visible && hidden == HiddenLines::Off) return;
+    const float strength = 0.5f * (a.strength + b.strength);
+    float ink = look.fade && !picture_.setting.unfiltered ? inkOf(strength, look.threshold) : 1.0f;
+    const Vector3f middle = 0.5f * (from + to) / static_cast<float>(kFiner * 2) / kDashPx;
+    const bool gap = (static_cast<int>(std::floor(middle.x() * 2.0f)) +
+                      static_cast<int>(std::floor(middle.y() * 2.0f))) %
+                         2 !=
+                     0;
+    if (!visible && hidden == HiddenLines::Dashed) {
+      if (gap) return;
+      ink *= 0.6f;
+    }
+    QColor shade(colour.r, colour.g, colour.b);
+    shade.setAlphaF(ink);
+    QPen pen(shade, look.widthPx * picture_.lineScale);
+    // Round ends would overlap at every joint and show as dots where a line is transparent.
+    pen.setCapStyle(ink < 1.0f ? Qt::FlatCap : Qt::RoundCap);
+    painter.setPen(pen);
+    const auto point = [](const Vector3f& p) {
+      return QPointF(static_cast<double>(p.x()) / kFiner, static_cast<double>(p.y()) / kFiner);
+    };
+    painter.drawLine(point(from), point(to));
+  }
+
+  /// Against the farthest of the surroundings: beside an outline that is the background.
+  bool isVisible(const Vector3f& p) const {
+    float farthest = -1.0f;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int x = static_cast<int>(p.x()) + dx, y = static_cast<int>(p.y()) + dy;
+        if (x < 0 || y < 0 || x >= width_ || y >= height_) continue;
+        farthest = std::max(farthest,
+                            depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                   static_cast<std::size_t>(x)]);
+      }
+    }
+    return p.z() - kLineBias <= farthest;
+  }
+
+  const SurfacePicture& picture_;
+  QSize size_;
+  SurfaceStyle style_;
+  ShadingColours shading_;
+  int width_, height_;
+  QImage image_;
+  std::vector<float> depth_;
+  Eigen::Matrix4f clip_;
+  Eigen::Matrix3f axes_;
+  std::vector<Corner> corners_;
+};
+
+}  // namespace
+
+const VertexColours* SurfacePicture::colours() const {
+  const bool there = styleOf(setting) == SurfaceStyle::Colours && seen && seen->colours &&
+                     seen->surface->mesh == surface->mesh;
+  return there ? &*seen->colours : nullptr;
+}
+
+SurfacePicture pictureOf(const SurfaceModels& models) {
+  SurfacePicture picture;
+  const std::optional<SurfaceSetting>& setting = models.document.scene().surface;
+  picture.palette = themePalette();
+  picture.lineScale = models.display.uiScale();
+  if (!setting) return picture;
+  picture.setting = *setting;
+  picture.surface = models.source.surface();
+  picture.seen = models.seen.seen();
+  return picture;
+}
+
+ShadingColours shadingColours(Palette palette) {
+  ShadingColours colours{};
+  colours.background = shares(sceneColours(palette).background);
+  if (palette == Palette::Light) {
+    colours.base = {0.90f, 0.89f, 0.87f};
+    colours.dark = {0.42f, 0.43f, 0.46f};
+  } else {
+    colours.base = {0.58f, 0.59f, 0.62f};
+    colours.dark = {0.16f, 0.16f, 0.18f};
+  }
+  // Gooch's tones, paler so that lines stay readable.
+  colours.warm = {0.95f, 0.88f, 0.66f};
+  colours.cool = {0.45f, 0.56f, 0.78f};
+  if (palette != Palette::Light) {
+    colours.warm = {0.62f, 0.55f, 0.36f};
+    colours.cool = {0.16f, 0.23f, 0.38f};
+  }
+  return colours;
+}
+
+QImage paintSurface(const SurfacePicture& picture, const QSize& size) {
+  if (!picture.surface) {
+    QImage empty(size, QImage::Format_RGB32);
+    const Rgb background = sceneColours(picture.palette).background;
+    empty.fill(qRgb(background.r, background.g, background.b));
+    return empty;
+  }
+  return Painter(picture, size).paint();
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+#include <QSize>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "ui/model/seen_surface.h"
+#include "ui/model/surface_look.h"
+#include "ui/view3d/surface_models.h"
+
+namespace flatland::ui {
+
+/// Everything a picture of the surface is made from, as a value: for OpenGL, for a job, for a file.
+struct SurfacePicture {
+  std::shared_ptr<const LoadedSurface> surface;  ///< null: an empty picture
+  std::shared_ptr<const SeenSurface> seen;       ///< null: no lines yet
+  SurfaceSetting setting;
+  Palette palette = Palette::Light;
+  double lineScale = 1.0;  ///< of the widths
+
+  /// The colour map is there and asked for.
+  const VertexColours* colours() const;
+};
+
+/// What the models show now.
+SurfacePicture pictureOf(const SurfaceModels& models);
+
+/// Colours of a style, each 0 to 1; the OpenGL picture and the painted one read the same.
+struct ShadingColours {
+  std::array<float, 3> background, base, dark, warm, cool;
+};
+ShadingColours shadingColours(Palette palette);
+
+/// Direction of the light in the axes of the picture (right, up, towards the viewer), unit.
+inline constexpr std::array<float, 3> kLight = {-0.348f, 0.447f, 0.824f};
+/// How much nearer, in units of clip space, a line counts than the surface it lies on.
+inline constexpr float kLineBias = 2e-3f;
+inline constexpr float kDashPx = 3.0f;  ///< of hidden lines
+
+/// The picture without OpenGL, the same but for the smoothing of edges. Works in any thread and at
+/// any size; about 50 ms a megapixel.
+QImage paintSurface(const SurfacePicture& picture, const QSize& size);
+
+}  // namespace flatland::ui
