@@ -284,23 +284,8 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
   return rays;
 }
 
-}  // namespace
-
-LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes) {
-  LineOptions asked = lines;
-  asked.flatToo = true;
-  for (const LineFamily family : allLineFamilies()) {
-    asked.threshold[indexOf(family)] *=
-        strokes.ink && movesWithInk(family) ? 0.0 : strokes.hysteresis;
-  }
-  if (lines[LineFamily::ExteriorSilhouette]) {
-    asked[LineFamily::OccludingContours] = true;
-    asked[LineFamily::Boundaries] = true;
-  }
-  return asked;
-}
-
-Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Projection& projection,
+// On a picture of the usual size.
+Drawing composeNominal(const FeatureLines& found, const Sight& sight, const Projection& projection,
                        const LineOptions& lines, const StrokeOptions& strokes) {
   Drawing drawing;
   drawing.projection = projection;
@@ -351,6 +336,39 @@ Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Proj
                    [](const Polyline& a, const Polyline& b) { return a.family < b.family; });
   measure(drawing, strokes);
   drawing.stats.strokeMs = strokeClock.ms();
+  return drawing;
+}
+
+}  // namespace
+
+LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes) {
+  LineOptions asked = lines;
+  asked.flatToo = true;
+  for (const LineFamily family : allLineFamilies()) {
+    asked.threshold[indexOf(family)] *=
+        strokes.ink && movesWithInk(family) ? 0.0 : strokes.hysteresis;
+  }
+  if (lines[LineFamily::ExteriorSilhouette]) {
+    asked[LineFamily::OccludingContours] = true;
+    asked[LineFamily::Boundaries] = true;
+  }
+  return asked;
+}
+
+Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Projection& projection,
+                       const LineOptions& lines, const StrokeOptions& strokes) {
+  const double scale = pictureScale(projection.width, projection.height);
+  Projection usual = projection;
+  usual.pxPerUnit /= scale;
+  usual.width /= scale;
+  usual.height /= scale;
+  StrokeOptions options = strokes;
+  options.tolerancePx /= scale;
+  Drawing drawing = composeNominal(found, sight, usual, lines, options);
+  drawing.projection = projection;
+  for (Polyline& line : drawing.polylines) {
+    for (Vector2d& p : line.screen) p *= scale;
+  }
   return drawing;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -26,7 +27,12 @@ struct Polyline {
   std::vector<float> strength;          ///< dimensionless, of each point
 };
 
-/// How segments become strokes.
+/// How many px of a picture count as one px of StrokeOptions: 1 if its diagonal is 1000 px long, as
+/// that of 800 x 600. So a drawing has the same strokes at every size of the picture.
+inline double pictureScale(double width, double height) { return std::hypot(width, height) / 1e3; }
+
+/// How segments become strokes. Px are those of a picture with a diagonal of 1000 px, and grow and
+/// shrink with it (pictureScale); those of tolerancePx are the picture's own.
 struct StrokeOptions {
   bool hidden = false;  ///< hidden strokes are kept (visible = false), else removed
   /// A stroke that reaches the family's threshold somewhere is followed down to this share of it.

@@ -30,6 +30,9 @@ constexpr double kFoldCosine = 0.34;
 // The smooth surface counts as facing away below this n.w: the interpolated normal of a contour
 // point is only nearly across the view.
 constexpr double kFacingAway = -0.1;
+// Where the normals of the vertices turn from the triangle's by more than 30 degrees, the surface
+// is creased and they are means over the crease.
+constexpr double kCreasedCosine = 0.866;
 // Far outside of every mesh, whose coordinates lie in [-1, 1].
 constexpr double kFarOutside = 8.0;
 
@@ -184,8 +187,11 @@ Vector3d Sight::normalAt(const SightPoint& point) const {
 }
 
 bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offset) const {
-  const Vector3d normal = normalAt(point);
-  const double facing = normal.dot(view.towardsViewer(point.at));
+  Vector3d normal = normalAt(point);
+  const Vector3d w = view.towardsViewer(point.at);
+  const Vector3d flat = crossOf(*state_->mesh, point.triangle).stableNormalized();
+  if (normal.dot(flat) < kCreasedCosine && flat.dot(w) > 0.0) normal = flat;
+  const double facing = normal.dot(w);
   const bool fold = point.interpolated && facing > kFacingAway;
   // What faces away but is no fold lies on the back of a sheet: the viewer's side is the other one.
   const bool otherSide = fold ? false : facing < 0.0;

@@ -1,8 +1,98 @@
 // SPDX-License-Identifier: MIT
-// Occluding contours: n.w = 0 for the interpolated normal (bibliography: hertzmann2000).
+// Occluding contours: n.w = 0 for the interpolated normal (bibliography: hertzmann2000), and where
+// the surface is creased the edges between what is turned to the viewer and what is not.
+#include <array>
+#include <cmath>
+
 #include "core3d/lines/families.h"
 
 namespace flatland {
+namespace {
+
+// A flat face seen edge-on counts as turned away, all of it: its corners' normals differ by
+// roundings.
+constexpr float kEdgeOn = 1e-6f;
+
+// n.w at the corners of a split triangle. Where a vertex is whole the same number as everywhere.
+std::array<float, 3> facingOf(const Sight& sight, const SplitTriangle& split) {
+  std::array<float, 3> facing{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t v = sight.mesh.triangles[split.triangle][k];
+    if (!split.own[k] && !(sight.seen.flags[v] & VertexFlag::kSkipped)) {
+      facing[k] = sight.seen.nw[v];
+      continue;
+    }
+    const Eigen::Vector3d w = sight.view.towardsViewer(sight.mesh.position(v).cast<double>());
+    const float nw = split.normal[k].dot(w.cast<float>());
+    facing[k] = split.own[k] && std::abs(nw) <= kEdgeOn ? 0.0f : nw;
+  }
+  return facing;
+}
+
+bool isKnown(const SplitTriangle& split) {
+  for (const auto& normal : split.normal) {
+    if (normal.isZero(0.0f)) return false;
+  }
+  return true;
+}
+
+// An edge of a split triangle with n.w on both sides of it.
+struct TwoSides {
+  std::uint32_t halfEdge;
+  float here[2], there[2];  // at the first and the second vertex of the half-edge
+
+  bool jumps() const { return here[0] != there[0] || here[1] != there[1]; }
+};
+
+// False if there is nothing on the other side, or nothing known.
+bool sidesOf(const Sight& sight, const SharpEdges& sharp, std::uint32_t halfEdge, TwoSides& sides) {
+  if (!sight.mesh.hasOpposite(halfEdge)) return false;
+  const std::uint32_t other = sight.mesh.opposite[halfEdge];
+  if (!sharp.splits(halfEdge / 3) || !sharp.splits(other / 3)) return false;
+  const SplitTriangle &a = sharp.at(halfEdge / 3), &b = sharp.at(other / 3);
+  if (!isKnown(a) || !isKnown(b)) return false;
+  const auto facing = facingOf(sight, a), beyond = facingOf(sight, b);
+  const auto next = [](std::uint32_t h) { return TriangleMesh::nextCorner(h) % 3; };
+  sides = {halfEdge,
+           {facing[halfEdge % 3], facing[next(halfEdge)]},
+           {beyond[next(other)], beyond[other % 3]}};
+  return true;
+}
+
+// Adds the parts of an edge on which `wanted(front here, front there)`. They end at its vertices or
+// where n.w of one side is zero, in the node in which a contour inside that side's triangle ends.
+template <typename Wanted>
+void addParts(const TriangleMesh& mesh, const TwoSides& sides, float strength, const Wanted& wanted,
+              Segments& out) {
+  const std::uint32_t h = sides.halfEdge, other = mesh.opposite[h];
+  const std::uint32_t a = mesh.vertexOf(h), b = mesh.vertexOf(TriangleMesh::nextCorner(h));
+  const Eigen::Vector3f from = mesh.position(a), way = mesh.position(b) - from;
+  struct Stop {
+    float t;
+    LineNode node;
+    bool ofHere;
+  };
+  Stop stops[2];
+  int count = 0;
+  const auto stop = [&](const float(&f)[2], std::uint32_t half, bool ofHere) {
+    if ((f[0] > 0.0f) != (f[1] > 0.0f))
+      stops[count++] = {f[0] / (f[0] - f[1]), freeNode(half), ofHere};
+  };
+  stop(sides.here, h, true);
+  stop(sides.there, other, false);
+  if (count == 2 && stops[1].t < stops[0].t) std::swap(stops[0], stops[1]);
+  bool here = sides.here[0] > 0.0f, there = sides.there[0] > 0.0f;
+  LineEnd begin{from, strength, vertexNode(a)};
+  for (int i = 0; i <= count; ++i) {
+    const LineEnd end = i < count ? LineEnd{from + stops[i].t * way, strength, stops[i].node}
+                                  : LineEnd{mesh.position(b), strength, vertexNode(b)};
+    if (wanted(here, there)) out.push_back({begin, end, here ? h / 3 : other / 3});
+    if (i < count) (stops[i].ofHere ? here : there) ^= true;
+    begin = end;
+  }
+}
+
+}  // namespace
 
 void addContour(const Sight& sight, std::uint32_t triangle, Segments& out) {
   const auto& v = sight.mesh.triangles[triangle];
@@ -11,6 +101,39 @@ void addContour(const Sight& sight, std::uint32_t triangle, Segments& out) {
   if (found.count == 2)
     addPiece(sight.mesh, triangle, {found.points[0], found.points[1]}, {1.0f, 1.0f}, 0.0f, nullptr,
              out);
+}
+
+void addSplitContours(const Sight& sight, const SharpEdges& sharp, Segments& out) {
+  for (const SplitTriangle& split : sharp.triangles()) {
+    if (!isKnown(split)) continue;
+    const std::array<float, 3> facing = facingOf(sight, split);
+    LineEnd ends[2];
+    const Crossings found = zeroCrossings({facing[0], facing[1], facing[2]});
+    for (int i = 0; i < found.count; ++i) {
+      const EdgePoint& point = found.points[i];
+      ends[i] = endAt(sight.mesh, split.triangle, point, 1.0f);
+      const std::uint32_t h = 3 * split.triangle + static_cast<std::uint32_t>(point.corner);
+      TwoSides sides;
+      if (sidesOf(sight, sharp, h, sides) && sides.jumps()) ends[i].node = freeNode(h);
+    }
+    if (found.count == 2) out.push_back({ends[0], ends[1], split.triangle});
+  }
+  for (const SharpEdge& edge : sharp.edges()) {
+    TwoSides sides;
+    if (!sidesOf(sight, sharp, edge.halfEdge, sides)) continue;
+    addParts(
+        sight.mesh, sides, 1.0f, [](bool here, bool there) { return here != there; }, out);
+  }
+}
+
+void addSeenEdges(const Sight& sight, const SharpEdges& sharp, Segments& out) {
+  for (const SharpEdge& edge : sharp.edges()) {
+    TwoSides sides;
+    if (!sidesOf(sight, sharp, edge.halfEdge, sides)) continue;
+    addParts(
+        sight.mesh, sides, kSharpStrength, [](bool here, bool there) { return here && there; },
+        out);
+  }
 }
 
 }  // namespace flatland

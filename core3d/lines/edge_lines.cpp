@@ -39,6 +39,14 @@ Segments findCreases(const TriangleMesh& mesh, double leastDeg) {
   return out;
 }
 
+Segments findSharpEdges(const TriangleMesh& mesh, const SharpEdges& sharp, bool convex) {
+  Segments out;
+  for (const SharpEdge& edge : sharp.edges()) {
+    if (edge.convex == convex) out.push_back(edgeOf(mesh, edge.halfEdge, kSharpStrength));
+  }
+  return out;
+}
+
 Segments findBoundaries(const TriangleMesh& mesh) {
   Segments out;
   for (std::uint32_t h = 0; h < mesh.opposite.size(); ++h) {

@@ -9,6 +9,7 @@
 #include "core3d/lines/crossings.h"
 #include "core3d/lines/feature_lines.h"
 #include "core3d/lines/seen_vertices.h"
+#include "core3d/lines/sharp_edges.h"
 
 // The families of lines, each in a file of its own. Part of LineFinder, which walks over the mesh
 // once and calls those of the view for the triangles whose flags say that something may be there.
@@ -31,6 +32,17 @@ struct Sight {
     return static_cast<float>(options.thresholdOf(family));
   }
 };
+
+/// A sharp edge is the limit of a rounded one, so it is a ridge (convex), a valley (concave) and an
+/// apparent ridge (both sides turned to the viewer). Its strength is that of an edge rounded by a
+/// hundredth of the surface's size, less than is seen.
+constexpr float kSharpStrength = 100.0f;
+
+/// Contours of all split triangles, and of the sharp edges between them where one side is turned to
+/// the viewer and the other is not. With those of addContour they are closed wherever the mesh is.
+void addSplitContours(const Sight& sight, const SharpEdges& sharp, Segments& out);
+/// The sharp edges, as far as both sides are turned to the viewer.
+void addSeenEdges(const Sight& sight, const SharpEdges& sharp, Segments& out);
 
 // Of the view, for one triangle.
 void addContour(const Sight& sight, std::uint32_t triangle, Segments& out);
@@ -62,6 +74,8 @@ Segments findZeroMeanCurvature(const TriangleMesh& mesh, const SurfaceFields& fi
 Segments findCreases(const TriangleMesh& mesh, double leastDeg);
 Segments findBoundaries(const TriangleMesh& mesh);
 Segments findSelfIntersections(const TriangleMesh& mesh);
+/// The sharp edges, convex or concave.
+Segments findSharpEdges(const TriangleMesh& mesh, const SharpEdges& sharp, bool convex);
 Segments findTopographic(const TriangleMesh& mesh, const Eigen::Vector3d& up, int levels);
 
 /// The end of a piece at a point of an edge.

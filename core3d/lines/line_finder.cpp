@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core3d/lines/families.h"
+#include "core3d/lines/sharp_edges.h"
 #include "core3d/lines/vertex_clusters.h"
 
 namespace flatland {
@@ -26,12 +27,19 @@ struct FixedLines {
   Segments segments;
 };
 
+// Lines at which curvatures of vertices are interpolated: nonsense where the surface is creased.
+bool needsCurvature(LineFamily family) {
+  return family == LineFamily::Ridges || family == LineFamily::Valleys ||
+         family == LineFamily::Parabolic || family == LineFamily::ZeroMeanCurvature;
+}
+
 }  // namespace
 
 struct LineFinder::State {
   const TriangleMesh& mesh;
   const SurfaceFields& fields;
   VertexClusters clusters;
+  SharpEdges sharp;
   std::vector<VertexRun> runs;
   SeenVertices seen, highlights;
   ContrastMemory memory;
@@ -41,10 +49,20 @@ struct LineFinder::State {
   void addFixed(LineFamily family, const LineOptions& options, Segments& out);
   Segments findFixed(LineFamily family, const LineOptions& options) const;
   void walk(const Sight& sight, FeatureLines& lines);
+  void addSharpEdges(const Sight& sight, FeatureLines& lines) const;
 };
 
 LineFinder::LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields)
-    : state_(new State{mesh, fields, VertexClusters(mesh, fields), {}, {}, {}, {}, {}, {}}) {}
+    : state_(new State{mesh,
+                       fields,
+                       VertexClusters(mesh, fields),
+                       SharpEdges(mesh, fields),
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {}}) {}
 LineFinder::~LineFinder() = default;
 LineFinder::LineFinder(LineFinder&&) noexcept = default;
 LineFinder& LineFinder::operator=(LineFinder&&) noexcept = default;
@@ -84,6 +102,9 @@ void LineFinder::State::addFixed(LineFamily family, const LineOptions& options, 
     const auto start = Clock::now();
     kept = FixedLines{options.unfiltered, from, options.topographicLevels, options.topographicUp,
                       findFixed(family, options)};
+    if (needsCurvature(family) && !options.unfiltered) {
+      std::erase_if(kept->segments, [&](const LineSegment& s) { return sharp.splits(s.triangle); });
+    }
     times.fixedMs += millisecondsSince(start);
   }
   if (options.unfiltered) {
@@ -94,6 +115,24 @@ void LineFinder::State::addFixed(LineFamily family, const LineOptions& options, 
   for (const LineSegment& segment : kept->segments) {
     if (!segment.standsOut && !options.flatToo) continue;
     if (std::max(segment.a.strength, segment.b.strength) >= least) out.push_back(segment);
+  }
+}
+
+// What becomes of lines of curvature at sharp edges. Where creases are drawn they are there
+// already.
+void LineFinder::State::addSharpEdges(const Sight& sight, FeatureLines& lines) const {
+  const LineOptions& options = sight.options;
+  if (options[LineFamily::Creases] || options.unfiltered) return;
+  const auto wanted = [&options](LineFamily family) {
+    return options[family] && options.thresholdOf(family) <= kSharpStrength;
+  };
+  if (wanted(LineFamily::ApparentRidges))
+    addSeenEdges(sight, sharp, lines.of(LineFamily::ApparentRidges));
+  for (const auto& [family, convex] :
+       {std::pair(LineFamily::Ridges, true), std::pair(LineFamily::Valleys, false)}) {
+    if (!wanted(family)) continue;
+    const Segments edges = findSharpEdges(mesh, sharp, convex);
+    lines.of(family).insert(lines.of(family).end(), edges.begin(), edges.end());
   }
 }
 
@@ -127,12 +166,14 @@ void LineFinder::State::walk(const Sight& sight, FeatureLines& lines) {
     const unsigned some = flags[a] | flags[b] | flags[c], every = flags[a] & flags[b] & flags[c];
     const unsigned differ = (some ^ every) & differing;
     if (differ == 0 || !(every & kKnown)) continue;
-    if (differ & kFront) addContour(sight, t, *contours);
+    if (sharp.splits(t) && !all) continue;
+    if ((differ & kFront) && !sharp.splits(t)) addContour(sight, t, *contours);
     if ((differ & kOctant) && (all || ((some & kStrong) && (every & kFront))))
       addApparentRidge(sight, t, memory, *apparent);
     if ((differ & kRadial) && (all || (some & kFront)))
       addSuggestive(sight, t, suggestive, highlight);
   }
+  if (contours) addSplitContours(sight, sharp, *contours);
   for (std::uint32_t t = 0; t < count && isophotes; ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     if (flags[a] & flags[b] & flags[c] & kKnown) addIsophotes(sight, t, *isophotes);
@@ -142,7 +183,7 @@ void LineFinder::State::walk(const Sight& sight, FeatureLines& lines) {
     const std::uint8_t* const f = highlights.flags.data();
     const unsigned some = f[a] | f[b] | f[c], every = f[a] & f[b] & f[c];
     if ((some ^ every) & kOctant && !((some ^ every) & kRadial) && (every & kKnown) &&
-        (all || (every & kFront)))
+        (all || ((every & kFront) && !sharp.splits(t))))
       addPrincipalHighlight(sight, highlights, t, *principal);
   }
 }
@@ -181,6 +222,7 @@ FeatureLines LineFinder::find(const SurfaceView& view, const LineOptions& option
   for (const LineFamily family : allLineFamilies()) {
     if (!dependsOnView(family) && options[family]) s.addFixed(family, options, lines.of(family));
   }
+  s.addSharpEdges(sight, lines);
   if (options[LineFamily::ExteriorSilhouette]) {
     lines.of(LineFamily::ExteriorSilhouette) = lines.of(LineFamily::OccludingContours);
     if (!options[LineFamily::OccludingContours]) lines.of(LineFamily::OccludingContours).clear();

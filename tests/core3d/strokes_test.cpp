@@ -527,6 +527,34 @@ TEST(Compose, SaysHowMuchIsNoCrumb) {
   EXPECT_LT(drawing.stats.share, 0.7);
 }
 
+TEST(Compose, PicturesOfAllSizesHaveTheSameStrokes) {
+  const Sheet sheet;
+  const SurfaceFields none;
+  const Sight sight(sheet.mesh, none);
+  const auto draw = [&](double scale) {
+    Camera camera;
+    camera.width *= scale;
+    camera.height *= scale;
+    camera.margin *= scale;
+    return composeDrawing(sheet.found, sight, projectionOf(camera, sheet.mesh), sheet.lines,
+                          {.minLengthPx = 20.0, .largestGapPx = 12.0, .ink = 0.015});
+  };
+  const Drawing usual = draw(1.0);
+  EXPECT_GT(usual.polylines.size(), 20u);
+  EXPECT_LT(usual.polylines.size(), 400u);
+  for (const double scale : {0.25, 3.0}) {
+    const Drawing other = draw(scale);
+    ASSERT_EQ(other.polylines.size(), usual.polylines.size()) << scale;
+    EXPECT_NEAR(other.stats.ink, usual.stats.ink, 1e-3 * usual.stats.ink);
+    EXPECT_EQ(other.projection.width, 800.0 * scale);
+    for (std::size_t i = 0; i < usual.polylines.size(); ++i) {
+      const auto &a = usual.polylines[i].screen, &b = other.polylines[i].screen;
+      EXPECT_LT((scale * a.front() - b.front()).norm(), 1e-6 * scale);
+      EXPECT_LT((scale * a.back() - b.back()).norm(), 1e-6 * scale);
+    }
+  }
+}
+
 TEST(Compose, AsksForLinesDownToWhereTheyAreFollowed) {
   LineOptions lines;
   lines[LineFamily::ExteriorSilhouette] = true;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 #include "core3d/draw/draughtsman.h"
 #include "core3d/io/cameras_json.h"
@@ -33,6 +34,7 @@ struct Options {
   StrokeOptions strokes;
   DrawingFigureOptions figure;
   PixelSize size{800, 600};
+  std::optional<double> width, minLength;  ///< px, if asked for
   double dpi = 96.0;
   int turntable = 0;
   bool stats = false;
@@ -139,7 +141,12 @@ int run(const Options& given) {
   options.camera.width = options.size.width;
   options.camera.height = options.size.height;
   options.strokes.hidden = options.figure.hidden != DrawingFigureOptions::Hidden::Remove;
-  options.strokes.inkWidthPx = options.figure.widthPx;
+  // Unless px are asked for, pictures of all sizes look alike.
+  const double scale = pictureScale(options.size.width, options.size.height);
+  options.camera.margin *= scale;
+  options.figure.widthPx = options.width.value_or(options.figure.widthPx * scale);
+  if (options.minLength) options.strokes.minLengthPx = *options.minLength / scale;
+  options.strokes.inkWidthPx = options.figure.widthPx / scale;
   const std::vector<View> views = viewsOf(options);
 
   const PreparedMesh prepared = preparedMesh(options.mesh, options.fields);
@@ -212,8 +219,10 @@ void addStrokes(CLI::App& command, Options& options) {
       ->type_name("SHARE")
       ->check(CLI::Range(1e-6, 1.0).description(""));
   command
-      .add_option("--min-length", options.strokes.minLengthPx,
-                  "Leave out strokes shorter than this, but for whole contours [6]")
+      .add_option_function<double>(
+          "--min-length", [&options](const double& px) { options.minLength = px; },
+          "Leave out strokes shorter than this, but for whole contours [6 at 800x600, in\n"
+          "proportion at other sizes]")
       ->type_name("PX")
       ->check(CLI::Range(0.0, 10000.0).description(""));
   command
@@ -236,7 +245,10 @@ void addStyle(CLI::App& command, Options& options) {
                     {"fade", Style::Fade}},
                    "What a line's strength does: plain, nothing; width or fade of each stroke;\n"
                    "taper, width along the stroke with pointed ends [plain]");
-  command.add_option("--width", options.figure.widthPx, "Width of the strokes [1.5]")
+  command
+      .add_option_function<double>(
+          "--width", [&options](const double& px) { options.width = px; },
+          "Width of the strokes [1.5 at 800x600, in proportion at other sizes]")
       ->type_name("PX")
       ->check(CLI::Range(0.01, 100.0).description(""));
   command.add_flag("--colours", options.figure.colours, "A colour for each family");
