@@ -65,9 +65,9 @@ void HeightSums::add(const HeightSums& other, double weight) {
   points += other.points;
 }
 
-double HeightPolynomial::fourthNorm() const {
+double HeightPolynomial::derivativeNorm(int order) const {
   double sum = 0.0;
-  for (std::size_t i = sizeOf(3); i < kSize; ++i)
+  for (std::size_t i = sizeOf(order - 1); i < sizeOf(order); ++i)
     sum += kDerivatives[i] * coefficients[i] * coefficients[i];
   return std::sqrt(sum);
 }

@@ -24,8 +24,13 @@ struct HeightPolynomial {
 
   /// Of u^i v^j.
   double at(int i, int j) const { return coefficients[index(i, j)]; }
-  /// Root of the sum of the squares of all sixteen fourth derivatives.
-  double fourthNorm() const;
+  /// Root of the sum of the squares of all four second derivatives, h_uu, h_uv, h_vu, h_vv.
+  double secondNorm() const { return derivativeNorm(2); }
+  /// The same of all sixteen fourth ones.
+  double fourthNorm() const { return derivativeNorm(4); }
+
+ private:
+  double derivativeNorm(int order) const;
 };
 
 /// Weighted points over a plane, reduced to the sums that a least squares fit of any degree up to 4

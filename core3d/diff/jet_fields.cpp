@@ -29,11 +29,9 @@ constexpr double kNoiseTimes = 3.0;
 constexpr double kUnresolvedMiss = 0.06;
 // The share of vertices that are called free of features when noise is measured.
 constexpr double kPlainShare = 0.1;
-// Positions are floats in [-1, 1]: their rounding as a root mean square.
-constexpr double kRounding = 1e-8;
-// In edges: noise may displace a line (the zero of a third derivative that grows like the fourth)
-// by this much before a wider fit is tried.
-constexpr double kDisplacement = 0.4;
+// In edges: noise may displace a line (the zero of a third derivative, by the rate at which that
+// changes) by this much before a wider fit is tried.
+constexpr double kDisplacement = 0.3;
 // Standard deviations that noise does not reach.
 constexpr double kSurely = 2.0;
 // A residual that is not noise is one-sided over many vertices; it does this times as much harm.
@@ -41,7 +39,7 @@ constexpr double kSurely = 2.0;
 constexpr double kTwoRingsShare = 0.13;
 
 // Root mean square distance of the vertices from a smooth surface, in the mesh's unit, where the
-// mesh has no features.
+// mesh has no features; 0 where there is nothing to tell it from.
 double noiseOf(const TriangleMesh& mesh, LocalFit& fit) {
   constexpr std::size_t kSamples = 4000;
   const std::size_t step = 1 + mesh.vertexCount() / kSamples;
@@ -54,11 +52,11 @@ double noiseOf(const TriangleMesh& mesh, LocalFit& fit) {
     if (spare < 5.0) continue;
     noise.push_back(fit.edge() * fit.misses(h, kFirst).all * std::sqrt(points / spare));
   }
-  if (noise.empty()) return kRounding;
+  if (noise.empty()) return 0.0;
   const auto at =
       noise.begin() + static_cast<std::ptrdiff_t>(kPlainShare * static_cast<double>(noise.size()));
   std::nth_element(noise.begin(), at, noise.end());
-  return std::max(*at, kRounding);
+  return *at;
 }
 
 // The options without what has been told or asked for the whole: the one-ring as a part of it.
@@ -70,21 +68,25 @@ FieldOptions quiet(FieldOptions options) {
 
 // The number of rings for a vertex.
 float sizeAt(LocalFit& fit, double noise) {
-  const double noiseInEdges = noise / fit.edge(), allowed = kNoiseTimes * noiseInEdges;
+  const double noiseInEdges = std::max(noise, fit.rounding()) / fit.edge();
+  const double allowed = kNoiseTimes * noiseInEdges;
   fit.growTo(kFirst);
   HeightPolynomial h = fit.over(kFirst);
   const auto [missed, worst] = fit.misses(h, kFirst);
   if (worst > std::max(allowed, kUnresolvedMiss)) return kUnresolved;
-  const auto isKnown = [noiseInEdges](const HeightPolynomial& fitted) {
-    // The part of the fourth derivatives that is not noise.
-    const double fourth =
-        fitted.fourthNorm() - kSurely * noiseInEdges * std::sqrt(fitted.fourthVariance);
-    return noiseInEdges * std::sqrt(fitted.thirdVariance) <= kDisplacement * fourth;
+  // Whether the third derivatives of a fit are known, by its own fourth ones or those of a wider
+  // fit.
+  const auto isKnown = [noiseInEdges](const HeightPolynomial& fitted, const HeightPolynomial& by) {
+    // What of the fourth derivatives is not noise, and the cubes of curvatures, which are a part of
+    // the rate at which C changes (of a curve h'''' - 3 h''^3).
+    const double fourth = by.fourthNorm() - kSurely * noiseInEdges * std::sqrt(by.fourthVariance);
+    const double rate = std::max(0.0, fourth) + 3.0 * std::pow(by.secondNorm(), 3.0);
+    return noiseInEdges * std::sqrt(fitted.thirdVariance) <= kDisplacement * rate;
   };
   int size = kFirst;
-  while (worst <= allowed && size < kLargest && !isKnown(h) && fit.growTo(size + 1)) {
+  while (worst <= allowed && size < kLargest && !isKnown(h, h) && fit.growTo(size + 1)) {
     const HeightPolynomial wider = fit.over(size + 1);
-    if (fit.misses(wider, size + 1).worstRing > allowed) break;
+    if (fit.misses(wider, size + 1).worstRing > allowed || isKnown(h, wider)) break;
     h = wider;
     ++size;
   }

@@ -74,6 +74,17 @@ LocalFit::Misses LocalFit::misses(const HeightPolynomial& polynomial, int k) con
   return {weights > 0.0 ? std::sqrt(squares / weights) : 0.0, std::sqrt(worst)};
 }
 
+double LocalFit::rounding() const {
+  constexpr double kSpacingShare = 0.2886751345948129;  // uniform within a spacing: 1 / sqrt(12)
+  double squares = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    // Of the neighbours, so not that of a coordinate which happens to be 0 at the vertex.
+    const double spacing = std::ldexp(1.0, std::ilogb(std::abs(p_[i]) + edge_) - 23);
+    squares += n_[i] * n_[i] * spacing * spacing;
+  }
+  return kSpacingShare * std::sqrt(squares);
+}
+
 int LocalFit::points(int k) const {
   int sum = 0;
   for (int i = 0; i <= k; ++i) sum += sums_[static_cast<std::size_t>(i)].points;

@@ -39,8 +39,11 @@ class LocalFit {
   };
   Misses misses(const HeightPolynomial& polynomial, int k) const;
 
-  double edge() const { return edge_; }  ///< the unit of the heights
-  int points(int k) const;               ///< in the rings up to k
+  double edge() const { return edge_; }  ///< the unit of the heights, in that of the mesh
+  /// How far the rounding of positions to floats moves the vertices along the normal, as a root
+  /// mean square, in the mesh's unit. It is less near the middle of the mesh.
+  double rounding() const;
+  int points(int k) const;  ///< in the rings up to k
   SurfacePoint pointOf(const HeightPolynomial& polynomial) const;
 
  private:

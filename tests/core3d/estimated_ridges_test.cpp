@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "core3d/diff/estimate_fields.h"
+#include "core3d/study/convergence.h"
 #include "tests/core3d/lines_check.h"
 #include "tests/support/seed.h"
 
@@ -61,10 +63,9 @@ const Case kBump{.solid = {SolidKind::GaussianBump, 2.0, 4.0},
                  .strayShare = 0.04,
                  .distance = fromBumpRing};
 
-// A tenth of an edge from n = 100 on.
+// Well below a tenth of an edge from n = 100 on.
 void expectConvergence(const Case& at, std::initializer_list<int> resolutions, double order) {
-  double first = 0.0, last = 0.0;
-  int halvings = -1;
+  std::vector<double> edges, medians;
   for (const int n : resolutions) {
     SCOPED_TRACE(n);
     const double edge = at.side / n;
@@ -76,12 +77,13 @@ void expectConvergence(const Case& at, std::initializer_list<int> resolutions, d
                             .of(LineFamily::ApparentRidges);
     const auto distances = distancesOf(model.mesh, ridges, at.distance);
     ASSERT_FALSE(distances.empty());
-    last = median(distances);
-    if (++halvings == 0) first = last;
-    ::testing::Test::RecordProperty("median" + std::to_string(n), std::to_string(last / edge));
+    edges.push_back(edge);
+    medians.push_back(median(distances));
+    ::testing::Test::RecordProperty("median" + std::to_string(n),
+                                    std::to_string(medians.back() / edge));
     ::testing::Test::RecordProperty("farthest" + std::to_string(n),
                                     std::to_string(distances.back() / edge));
-    EXPECT_LT(last, (n < 100 ? 0.15 : 0.1) * edge);
+    EXPECT_LT(medians.back(), (n < 100 ? 0.15 : 0.06) * edge);
     double stray = 0.0;
     for (const LineSegment& segment : ridges) {
       if (at.distance(middleInFile(model.mesh, segment)) > edge)
@@ -90,17 +92,21 @@ void expectConvergence(const Case& at, std::initializer_list<int> resolutions, d
     EXPECT_LE(stray, at.strayShare * at.length);
     EXPECT_NEAR(totalLength(model.mesh, ridges), at.length, 0.06 * at.length);
   }
-  EXPECT_GT(std::log2(first / last) / halvings, order);
+  const std::optional<double> fitted = fittedOrder(edges, medians);
+  ASSERT_TRUE(fitted.has_value());
+  ::testing::Test::RecordProperty("order", std::to_string(*fitted));
+  EXPECT_GT(*fitted, order);
 }
 
 TEST(EstimatedRidges, OfASineSheetConverge) { expectConvergence(kSheet, {50, 100, 200}, 1.2); }
 TEST(EstimatedRidges, OfAGaussianBumpConverge) { expectConvergence(kBump, {50, 100, 200}, 1.2); }
 TEST(FineEstimatedRidges, OfASineSheetConverge) {
-  // With exact fields the order is 2 (apparent_ridges_test); estimates are the limit here.
-  expectConvergence(kSheet, {50, 100, 200, 400}, 1.0);
+  // With exact fields the order is 2 (apparent_ridges_test); estimates are the limit here: of three
+  // rings, 1.56. Wider fits at 400 cells, where rounding is taken for noise, bring it down to 1.1.
+  expectConvergence(kSheet, {50, 100, 200, 400}, 1.45);
 }
 TEST(FineEstimatedRidges, OfAGaussianBumpConverge) {
-  expectConvergence(kBump, {50, 100, 200, 400}, 1.3);
+  expectConvergence(kBump, {50, 100, 200, 400}, 1.4);
 }
 
 TEST(EstimatedRidges, AreTheSameInAnyUnitPlaceOrientationAndNumbering) {

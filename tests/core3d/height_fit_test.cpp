@@ -111,6 +111,8 @@ TEST(HeightFit, ReproducesAQuarticAndItsFourthDerivatives) {
   EXPECT_NEAR(value(fit, 0.3, -0.7), quartic(0.3, -0.7), 1e-8);
   // h_uuuv = 3 stands four times among the sixteen, h_vvvv = 6 once.
   EXPECT_NEAR(fit.fourthNorm(), std::sqrt(4.0 * 9.0 + 36.0), 1e-6);
+  // h_uv = 2 stands twice among the four.
+  EXPECT_NEAR(fit.secondNorm(), std::sqrt(8.0), 1e-7);
 }
 
 TEST(HeightFit, SumsOfPartsAreTheSumOfTheWhole) {
