@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "core3d/lines/line_finder.h"
 #include "core3d/mesh/build_mesh.h"
+#include "core3d/study/line_distances.h"
 
 namespace flatland {
 
@@ -15,57 +14,26 @@ namespace {
 
 constexpr int kSamplesPerRidge = 200;
 
-double meanEdge(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      sum += static_cast<double>((mesh.position(t[k]) - mesh.position(t[(k + 1) % 3])).norm());
-    }
-  }
-  return mesh.unit * sum / (3.0 * static_cast<double>(mesh.triangleCount()));
-}
-
-/// A piece of a line, in the coordinates of the file.
-struct Piece {
-  Eigen::Vector3d middle;
-  double length, distance;
-};
-
-/// The value that `share` of all weight lies at or below. Sorts the pieces.
-double percentile(std::vector<Piece>& pieces, double share) {
-  std::sort(pieces.begin(), pieces.end(),
-            [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
-  const double all = std::accumulate(pieces.begin(), pieces.end(), 0.0,
-                                     [](double sum, const Piece& p) { return sum + p.length; });
-  double below = 0.0;
-  for (const Piece& piece : pieces) {
-    below += piece.length;
-    if (below >= share * all) return piece.distance;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 ConvergenceRow rowOf(const KnownRidges& known, const TriangleMesh& mesh,
                      const std::vector<LineSegment>& segments) {
   ConvergenceRow row;
   row.edge = meanEdge(mesh);
   row.pieces = segments.size();
-  std::vector<Piece> pieces;
+  std::vector<MeasuredPiece> pieces;
   double length = 0.0, stray = 0.0;
   for (const LineSegment& segment : segments) {
-    const Eigen::Vector3d a = segment.a.at.cast<double>(), b = segment.b.at.cast<double>();
-    const Eigen::Vector3d middle = mesh.origin + mesh.unit * (0.5 * (a + b));
-    pieces.push_back({middle, mesh.unit * (b - a).norm(), known.distanceToRidge(middle)});
+    pieces.push_back(pieceOf(mesh, segment));
+    pieces.back().distance = known.distanceToRidge(pieces.back().middle);
     length += pieces.back().length;
     if (pieces.back().distance > row.edge) stray += pieces.back().length;
   }
   row.strayShare = length > 0.0 ? stray / length : 0.0;
-  row.medianEdges = percentile(pieces, 0.5) / row.edge;
-  row.percentile95Edges = percentile(pieces, 0.95) / row.edge;
+  row.medianEdges = distancePercentile(pieces, 0.5) / row.edge;
+  row.percentile95Edges = distancePercentile(pieces, 0.95) / row.edge;
 
   const std::vector<Eigen::Vector3d> samples = known.samples(kSamplesPerRidge);
   const auto isFound = [&](const Eigen::Vector3d& sample) {
-    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const MeasuredPiece& piece) {
       return (piece.middle - sample).squaredNorm() <= row.edge * row.edge;
     });
   };

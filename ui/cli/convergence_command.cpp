@@ -42,7 +42,7 @@ void write(const Options& options, const std::vector<ConvergenceSeries>& all,
     figure.width = options.size.width;
     figure.height = options.size.height;
     const KnownCase subject = options.study.subject;
-    writePicture(options.output, convergenceFigure(all, subject, figure),
+    writePicture(options.output, convergenceFigure(all, std::string(nameOf(subject)), figure),
                  {.title = "Flatland, convergence: " + std::string(nameOf(subject)),
                   .program = "flatland " FLATLAND_VERSION,
                   .command = commandLine,

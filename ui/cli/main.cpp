@@ -93,6 +93,7 @@ int run(int argc, char** argv) {
   addLinesCommand(app, action, commandWithoutFolders(argc, argv));
   addFieldsCommand(app, action);
   addConvergenceCommand(app, action, commandWithoutFolders(argc, argv));
+  addBridgeCommand(app, action, commandWithoutFolders(argc, argv));
   addShotCommand(app, action);
   addPresetsCommand(app, action);
   addImportCommand(app, action);

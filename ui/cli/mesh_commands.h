@@ -10,6 +10,7 @@ namespace flatland::ui {
 /// The subcommands of meshes, as those in command_line.h.
 void addLinesCommand(CLI::App& app, Action& action, const std::string& commandLine);
 void addFieldsCommand(CLI::App& app, Action& action);
+void addBridgeCommand(CLI::App& app, Action& action, const std::string& commandLine);
 void addConvergenceCommand(CLI::App& app, Action& action, const std::string& commandLine);
 
 }  // namespace flatland::ui

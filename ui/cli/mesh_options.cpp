@@ -39,22 +39,6 @@ std::optional<Eigen::Vector3d> directionFrom(std::string_view text) {
   return (direction / size).normalized();
 }
 
-void addDirection(CLI::App& command, const std::string& name, Eigen::Vector3d& direction,
-                  const std::string& help) {
-  command
-      .add_option_function<std::string>(
-          name, [&direction](const std::string& text) { direction = *directionFrom(text); }, help)
-      ->type_name("X,Y,Z")
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            return directionFrom(text) ? std::string()
-                                       : "expected a direction x,y,z that is not 0,0,0, for "
-                                         "example 1,0.5,2, found " +
-                                             text;
-          },
-          ""));
-}
-
 std::vector<std::string> familyNames() {
   std::vector<std::string> names;
   for (const LineFamily family : allLineFamilies()) names.emplace_back(nameOf(family));
@@ -84,6 +68,22 @@ void setLines(LineOptions& lines, const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+void addDirection(CLI::App& command, const std::string& name, Eigen::Vector3d& direction,
+                  const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name, [&direction](const std::string& text) { direction = *directionFrom(text); }, help)
+      ->type_name("X,Y,Z")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return directionFrom(text) ? std::string()
+                                       : "expected a direction x,y,z that is not 0,0,0, for "
+                                         "example 1,0.5,2, found " +
+                                             text;
+          },
+          ""));
+}
 
 void addMesh(CLI::App& command, std::string& mesh) {
   command.add_option("mesh", mesh, kMeshHelp)->required()->type_name("MESH");

@@ -19,6 +19,10 @@ inline constexpr const char* kMeshHelp =
 /// The argument MESH.
 void addMesh(CLI::App& command, std::string& mesh);
 
+/// An option whose value is a direction x,y,z, stored as a unit vector.
+void addDirection(CLI::App& command, const std::string& name, Eigen::Vector3d& direction,
+                  const std::string& help);
+
 /// The options --view, --up and --perspective.
 void addCamera(CLI::App& command, Camera& camera);
 

@@ -40,7 +40,7 @@ class Builder : FigureBuilder {
       : FigureBuilder(options.width, options.height, options.palette, options.textPx),
         options_(options) {}
 
-  Figure build(const std::vector<ConvergenceSeries>& all, KnownCase subject) {
+  Figure build(const std::vector<ConvergenceSeries>& all, const std::string& subject) {
     findRanges(all);
     // The legend stands below the diagram, so that it covers no data.
     bottom_ = options_.height - kBottomPx - kLegendLinePx * static_cast<double>(all.size());
@@ -84,7 +84,7 @@ class Builder : FigureBuilder {
     return bottom_ - (decade - up_.low) / (up_.high - up_.low) * (bottom_ - kTopPx);
   }
 
-  void addAxes(KnownCase subject) {
+  void addAxes(const std::string& subject) {
     FigureGroup& axis = group("axis", "axis");
     for (double decade = up_.low; decade <= up_.high + 0.5; decade += 1.0) {
       const double y = yOf(decade);
@@ -104,8 +104,7 @@ class Builder : FigureBuilder {
     addLine(axis, {kLeftPx, kTopPx}, {kLeftPx, bottom_}, frameStroke());
     addLine(axis, {kLeftPx, bottom_}, {options_.width - kRightPx, bottom_}, frameStroke());
     addText(group("title", "title"), {0.5 * (kLeftPx + options_.width - kRightPx), bottom_ + 30.0},
-            std::string(nameOf(subject)) +
-                ": median distance to the exact apparent ridge against the mean edge length",
+            subject + ": median distance to the exact apparent ridge against the mean edge length",
             TextShape::Anchor::Middle);
   }
 
@@ -177,7 +176,7 @@ class Builder : FigureBuilder {
 
 }  // namespace
 
-Figure convergenceFigure(const std::vector<ConvergenceSeries>& all, KnownCase subject,
+Figure convergenceFigure(const std::vector<ConvergenceSeries>& all, const std::string& subject,
                          const ConvergenceFigureOptions& options) {
   return Builder(options).build(all, subject);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core3d/study/convergence.h"
@@ -16,9 +17,9 @@ struct ConvergenceFigureOptions {
 };
 
 /// Median distance of the ridges found to the known ones, as a length, against the mesh's edge
-/// length, both logarithmic; one line with symbols for each series, its fitted order in the legend,
-/// and a thin line where the distance is one edge.
-Figure convergenceFigure(const std::vector<ConvergenceSeries>& all, KnownCase subject,
+/// length, both logarithmic, under the name of the `subject`; one line with symbols for each
+/// series, its fitted order in the legend, and a thin line where the distance is one edge.
+Figure convergenceFigure(const std::vector<ConvergenceSeries>& all, const std::string& subject,
                          const ConvergenceFigureOptions& options);
 
 }  // namespace flatland::ui

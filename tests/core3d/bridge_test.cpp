@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bridge from flatland to surfaces: what is predicted is exactly an apparent ridge of the
+// surface (by the 3D equation, which the prediction does not use), and what is found on meshes is
+// near it.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "core3d/study/bridge.h"
+#include "flatland/curve/bspline.h"
+#include "tests/support/seed.h"
+
+namespace flatland::test {
+namespace {
+
+Curve randomCurve(Random& random, double left) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 6; ++i)
+    points.emplace_back(left + 0.5 * i + uniform(random, -0.2, 0.2), uniform(random, -1, 1));
+  return BezierChain(5, false, points);
+}
+
+Eigen::Vector3d randomDirection(Random& random) {
+  return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+}
+
+// Across t the derivative of lambda along the curve changes from growing to falling, and at t
+// itself the sum of the terms is 0 to rounding.
+void expectMaximum(const BridgePrediction& prediction, const PredictedLine& line) {
+  const SweptSurface& s = prediction.surface();
+  const auto seenAt = [&](double t) {
+    const SurfacePoint point = s.kind == SweptSurface::Kind::Extrusion
+                                   ? extrudedPoint(s.curve, t, 0.3)
+                                   : revolvedPoint(s.curve, s.amount, t, 0.7);
+    return *apparentCurvature(seenFrom(point, prediction.towards()));
+  };
+  const auto seen = seenAt(line.t);
+  EXPECT_NEAR(seen.lambda, line.lambda, 1e-9 * line.lambda);
+  EXPECT_NEAR(seen.sum(), 0.0, 1e-8 * (std::abs(seen.feature) + std::abs(seen.offset)));
+  constexpr double kStep = 1e-5;
+  EXPECT_GE(seen.lambda, seenAt(line.t - kStep).lambda);
+  EXPECT_GE(seen.lambda, seenAt(line.t + kStep).lambda);
+}
+
+TEST(BridgePrediction, RulingsOfExtrusionsAreMaximaOfTheSurface) {
+  Random random(announcedSeed("rulings", 61));
+  int checked = 0;
+  for (int i = 0; i < 60; ++i) {
+    const SweptSurface surface{randomCurve(random, 0.0), SweptSurface::Kind::Extrusion, 2.0};
+    const BridgePrediction prediction(surface, {.towards = randomDirection(random), .eye = {}});
+    ASSERT_TRUE(prediction.flat().view);
+    for (const PredictedLine& line : prediction.lines()) {
+      if (line.kind == MarkKind::Silhouette) {
+        EXPECT_NEAR(line.facing, 0.0, 1e-9);
+        continue;
+      }
+      if (line.t < 1e-3 || line.t > 1 - 1e-3 || std::abs(line.facing) < 1e-2) continue;
+      expectMaximum(prediction, line);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 30);
+}
+
+TEST(BridgePrediction, CirclesOfRevolutionsAreMaximaWhereTheMeridianWins) {
+  Random random(announcedSeed("circles", 62));
+  int checked = 0, lost = 0;
+  for (int i = 0; i < 60; ++i) {
+    const SweptSurface surface{randomCurve(random, 0.7), SweptSurface::Kind::Revolution, 0.2};
+    const Eigen::Vector3d w(0.0, i % 2 ? 1.0 : -1.0, 0.0);
+    const BridgePrediction prediction(surface, {.towards = w, .eye = {}});
+    for (const PredictedLine& line : prediction.lines()) {
+      if (line.kind != MarkKind::ApparentRidge) continue;
+      if (line.t < 1e-3 || line.t > 1 - 1e-3 || std::abs(line.facing) < 1e-2) continue;
+      const BridgeLimit limit = prediction.limitOf(line, {});
+      if (limit == BridgeLimit::ParallelWins) ++lost;
+      if (limit != BridgeLimit::None) continue;
+      expectMaximum(prediction, line);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 15);
+  EXPECT_GT(lost, 2);
+}
+
+TEST(BridgePrediction, SaysWhenThereIsNoFlatView) {
+  const Curve curve = BezierChain(2, false, {{0.5, 0}, {1, 1}, {2, 0}});
+  const SweptSurface extruded{curve, SweptSurface::Kind::Extrusion, 1.0};
+  const SweptSurface revolved{curve, SweptSurface::Kind::Revolution, 0.0};
+  EXPECT_FALSE(flatViewOf(extruded, {.towards = Eigen::Vector3d::UnitZ(), .eye = {}}).view);
+  EXPECT_FALSE(flatViewOf(revolved, {.towards = Eigen::Vector3d::UnitX(), .eye = {}}).view);
+  EXPECT_FALSE(
+      flatViewOf(extruded, {.towards = Eigen::Vector3d::UnitY(), .eye = Eigen::Vector3d(0, 9, 0)})
+          .view);
+  const FlatView none = flatViewOf(revolved, {.towards = Eigen::Vector3d::UnitX(), .eye = {}});
+  EXPECT_FALSE(none.whyNot.empty());
+  EXPECT_TRUE(
+      BridgePrediction(revolved, {.towards = Eigen::Vector3d::UnitX(), .eye = {}}).lines().empty());
+  EXPECT_DOUBLE_EQ(
+      flatViewOf(extruded, {.towards = Eigen::Vector3d(0, 1, 5).normalized(), .eye = {}})
+          .view->angleDeg,
+      90.0);
+}
+
+TEST(BridgePrediction, NamesWhatCannotHold) {
+  const auto predicted = [](std::vector<Vec2> points, int degree, const Eigen::Vector3d& w) {
+    return BridgePrediction(
+        {BezierChain(degree, false, std::move(points)), SweptSurface::Kind::Extrusion, 1.0},
+        {.towards = w.normalized(), .eye = {}});
+  };
+  // A parabola seen along its axis has its ridge in the middle; from below it faces away.
+  const std::vector<Vec2> parabola = {{-1, 0}, {0, 2}, {1, 0}};
+  const BridgePrediction above = predicted(parabola, 2, {0, 1, 0.3});
+  ASSERT_EQ(above.lines().size(), 1u);
+  const PredictedLine& crest = above.lines()[0];
+  EXPECT_NEAR(crest.t, 0.5, 1e-12);
+  EXPECT_EQ(above.limitOf(crest, {}), BridgeLimit::None);
+  EXPECT_EQ(above.limitOf(crest, {.edge = 0.2, .size = 0.0}), BridgeLimit::SilhouetteNear);
+  EXPECT_EQ(above.limitOf(crest, {.edge = 0.5, .size = 0.0}), BridgeLimit::End);
+  const BridgePrediction below = predicted(parabola, 2, {0, -1, 0.3});
+  ASSERT_EQ(below.lines().size(), 1u);
+  EXPECT_EQ(below.limitOf(below.lines()[0], {}), BridgeLimit::FacesAway);
+  // Two arcs that meet with one tangent but not with one curvature.
+  const BridgePrediction joined =
+      predicted({{-1, 0}, {-0.5, 0.5}, {0, 0.5}, {0.8, 0.5}, {1, 0.2}}, 2, {0, 1, 0});
+  EXPECT_EQ(joined.limitAt(MarkKind::ApparentRidge, 1.0, {}), BridgeLimit::Crease);
+  EXPECT_EQ(joined.limitAt(MarkKind::ApparentRidge, 0.5, {}), BridgeLimit::None);
+  for (std::size_t i = 0; i < kBridgeLimitCount; ++i) {
+    EXPECT_FALSE(reasonOf(static_cast<BridgeLimit>(i)).empty());
+  }
+}
+
+TEST(Bridge, ComesNearerWithFinerMeshes) {
+  const Curve curve = BezierChain(4, false, {{-2, 0}, {-1, 0.2}, {0, 2}, {1, 0.3}, {2, 0}});
+  const BridgePrediction prediction(
+      {curve, SweptSurface::Kind::Extrusion, 1.0},
+      {.towards = Eigen::Vector3d(0.2, 1, 0.6).normalized(), .eye = {}});
+  const auto all = measureBridge(
+      prediction, {.cells = {32, 64, 128}, .derivatives = {RidgeDerivative::ClosedForm}});
+  ASSERT_EQ(all.size(), 2u);
+  ASSERT_EQ(all[0].rows.size(), 3u);
+  const LineAgreement& finest = all[0].rows[2].ridges;
+  EXPECT_GE(finest.lines, 1u);
+  EXPECT_LT(finest.medianEdges, 0.1);
+  EXPECT_LT(finest.backMedianEdges, 0.1);
+  EXPECT_GT(finest.coverage, 0.99);
+  ASSERT_TRUE(all[0].order);
+  EXPECT_GT(*all[0].order, 1.5);
+}
+
+TEST(Bridge, FindsContoursOfRevolutionsAtTheProfilesSilhouettes) {
+  const Curve curve = BezierChain(3, false, {{1, -1}, {2.5, -0.5}, {2.5, 0.8}, {1, 1}});
+  const BridgePrediction prediction({curve, SweptSurface::Kind::Revolution, 0.0},
+                                    {.towards = Eigen::Vector3d::UnitY(), .eye = {}});
+  const auto all = measureBridge(prediction, {.cells = {64},
+                                              .estimators = {FieldEstimator::JetFit},
+                                              .derivatives = {RidgeDerivative::ClosedForm}});
+  const LineAgreement& contours = all.at(0).rows.at(0).contours;
+  EXPECT_EQ(contours.lines, 1u);
+  EXPECT_LT(contours.medianEdges, 0.05);
+  EXPECT_GT(contours.coverage, 0.99);
+}
+
+void expectNear(const BridgeTrials& trials, int count) {
+  ASSERT_EQ(trials.trials.size(), static_cast<std::size_t>(count));
+  EXPECT_LT(trials.medianEdges, 0.1);
+  EXPECT_LT(trials.backMedianEdges, 0.1);
+  EXPECT_GT(trials.coverage, 0.9);
+  EXPECT_GT(trials.belowTenth, trials.trials.size() / 2);
+  // Every predicted line is held or counted by what is in its way.
+  std::size_t lines = 0;
+  for (const BridgeTrial& trial : trials.trials) lines += trial.row.ridges.lines;
+  EXPECT_EQ(lines, trials.linesBy[0]);
+  EXPECT_GT(trials.linesBy[static_cast<std::size_t>(BridgeLimit::SilhouetteNear)], 0u);
+}
+
+TEST(Bridge, RandomExtrusionsFromRandomDirections) {
+  const std::uint64_t seed = announcedSeed("bridges", 1);
+  expectNear(measureRandomBridges({.count = 8, .seed = seed}), 8);
+}
+
+// One of a hundred; label slow.
+TEST(ManyBridges, AHundredRandomExtrusionsFromRandomDirections) {
+  const std::uint64_t seed = announcedSeed("hundred bridges", 1);
+  expectNear(measureRandomBridges({.count = 100, .seed = seed}), 100);
+}
+
+}  // namespace
+}  // namespace flatland::test
