@@ -314,11 +314,32 @@ double perpendicularFoot(const Curve& curve, int piece, double low, double high,
   return 0.5 * (low + high);
 }
 
+// Between `at`, from where the distance to p falls towards `other`, and `other`, which is farther:
+// a foot no farther than `at`, or what comes nearest to one.
+double hiddenFoot(const Curve& curve, int piece, double at, double other, const Vec2& p) {
+  constexpr int kHalvings = 52;
+  double nearest = (pointOn(curve, piece, at) - p).norm();
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (at + other);
+    const Jet jet = jetAt(curve, piece, middle);
+    const double distance = (jet.p - p).norm(), slope = (jet.p - p).dot(jet.d1);
+    if (distance <= nearest && (slope < 0.0) == (other < at)) {
+      return perpendicularFoot(curve, piece, std::min(at, middle), std::max(at, middle), p);
+    }
+    if (distance < nearest) {
+      at = middle;
+      nearest = distance;
+    } else {
+      other = middle;
+    }
+  }
+  return at;
+}
+
 }  // namespace
 
 Nearest nearestPoint(const Curve& curve, const Vec2& p) {
   if (const BezierChain* chain = bezierForm(curve)) return nearestPoint(*chain, p);
-  // Between neighbouring samples the distance falls and rises again only if its slope changes sign.
   const int perStretch = std::holds_alternative<FormulaCurve>(curve) ? 4 : 32;
   const std::vector<double> ends = stretchEnds(curve);
   Nearest best{0.0, std::numeric_limits<double>::infinity()};
@@ -326,20 +347,28 @@ Nearest nearestPoint(const Curve& curve, const Vec2& p) {
     const double distance = (pointOn(curve, piece, t) - p).norm();
     if (distance < best.distance) best = {piece + t, distance};
   };
+  struct Sample {
+    double t, distance, slope;  // slope: sign of the distance's derivative by t
+  };
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const int piece = locate(curve, 0.5 * (ends[i] + ends[i + 1])).piece;
-    double before = 0.0, slopeBefore = 1.0;
+    Sample before{};
     for (int k = 0; k <= perStretch; ++k) {
       const double s = static_cast<double>(k) / perStretch;
       const double t = (1.0 - s) * ends[i] + s * ends[i + 1] - piece;
       const Jet jet = jetAt(curve, piece, t);
-      const double slope = (jet.p - p).dot(jet.d1);
-      if (k == 0 || k == perStretch) consider(piece, t);
-      if (k > 0 && slopeBefore < 0.0 && slope >= 0.0) {
-        consider(piece, perpendicularFoot(curve, piece, before, t, p));
+      const Sample here{t, (jet.p - p).norm(), (jet.p - p).dot(jet.d1)};
+      consider(piece, t);
+      if (k > 0) {
+        if (before.slope < 0.0 && here.slope >= 0.0) {
+          consider(piece, perpendicularFoot(curve, piece, before.t, t, p));
+        } else if (before.slope < 0.0 && here.distance >= before.distance) {
+          consider(piece, hiddenFoot(curve, piece, before.t, t, p));
+        } else if (here.slope > 0.0 && before.distance >= here.distance) {
+          consider(piece, hiddenFoot(curve, piece, t, before.t, p));
+        }
       }
-      before = t;
-      slopeBefore = slope;
+      before = here;
     }
   }
   return best;

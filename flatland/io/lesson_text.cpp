@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "flatland/features/features.h"
@@ -46,11 +47,45 @@ std::string trimmed(const std::string& text) {
 
 bool isBlank(const std::string& text) { return trimmed(text).empty(); }
 
+/// Where a block stands in the file: its fence, and the keys of its object.
+class BlockPlace {
+ public:
+  /// `body` is valid JSON on the lines that it has in the file.
+  BlockPlace(std::size_t fence, const std::string& body) : fence_(fence) {
+    std::size_t line = 1;
+    int depth = 0;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      const char c = body[i];
+      if (c == '\n') ++line;
+      if (c == '{' || c == '[') ++depth;
+      if (c == '}' || c == ']') --depth;
+      if (c != '"') continue;
+      const std::size_t open = i;
+      for (++i; body[i] != '"'; ++i) {
+        if (body[i] == '\\') ++i;
+      }
+      const std::size_t next = body.find_first_not_of(" \t\r\n", i + 1);
+      if (depth != 1 || next == std::string::npos || body[next] != ':') continue;
+      lines_[json::parse(body.substr(open, i + 1 - open)).get<std::string>()] = line;
+    }
+  }
+
+  std::string ofBlock() const { return "line " + std::to_string(fence_); }
+  std::string of(const std::string& key) const {
+    const auto at = lines_.find(key);
+    return at == lines_.end() ? ofBlock() : "line " + std::to_string(at->second);
+  }
+
+ private:
+  std::size_t fence_;
+  std::map<std::string, std::size_t> lines_;
+};
+
 /// The value of a block under one key, with the place for errors.
 class Entry {
  public:
-  Entry(const json& value, std::string key, const std::string& place, const std::string& source)
-      : value_(value), key_(std::move(key)), place_(place), source_(source) {}
+  Entry(const json& value, std::string key, const BlockPlace& place, const std::string& source)
+      : value_(value), key_(std::move(key)), place_(place.of(key_)), source_(source) {}
 
   [[noreturn]] void fail(const std::string& reason) const {
     throw InputError(source_, place_, "\"" + key_ + "\": " + reason);
@@ -72,7 +107,7 @@ class Entry {
  private:
   const json& value_;
   std::string key_;
-  const std::string& place_;
+  std::string place_;
   const std::string& source_;
 };
 
@@ -144,11 +179,12 @@ DerivationStep equationFrom(const Entry& entry) {
 }
 
 /// Puts what a block says over the state of the step before.
-void apply(const json& block, const std::string& place, const std::string& source,
+void apply(const json& block, const BlockPlace& place, const std::string& source,
            LessonStep& step) {
-  if (!block.is_object()) throw InputError(source, place, "expected an object { ... }");
+  if (!block.is_object()) throw InputError(source, place.ofBlock(), "expected an object { ... }");
   if (block.contains("scene") && block.contains("preset")) {
-    throw InputError(source, place, "has both \"scene\" and \"preset\"; give one");
+    throw InputError(source, place.ofBlock(),
+                     "the block has both \"scene\" and \"preset\"; give one");
   }
   LessonState& state = step.state;
   for (const char* key : {"preset", "scene", "viewAngleDeg", "probe"}) {
@@ -185,7 +221,7 @@ void apply(const json& block, const std::string& place, const std::string& sourc
     }
   }
   if (state.printed && !(state.equation && textOf(*state.equation).isMisprinted())) {
-    throw InputError(source, place,
+    throw InputError(source, place.of("printed"),
                      "\"printed\" is for an equation the thesis misprints: 3.10 to 3.13, "
                      "footnote, 4.7, 4.8");
   }
@@ -263,8 +299,8 @@ class Reader {
     }
     hasBlock_ = true;
     if (isBlank(body)) fail(open, "the block is empty");
-    const std::string place = "line " + std::to_string(open.number);
-    apply(parseJson(body, source_), place, source_, lesson_.steps.back());
+    const json block = parseJson(body, source_);
+    apply(block, BlockPlace(open.number, body), source_, lesson_.steps.back());
   }
 
   std::vector<Line> lines_;

@@ -14,18 +14,15 @@ namespace flatland {
 
 namespace {
 
-// Points of a part within this parameter distance of a mark are the mark's own
-// neighbourhood: near a fold the depth changes with the square root of the
-// screen coordinate, so rounding of the latter (1e-16) shifts the parameter by
-// 1e-8.
+// Points of a part within this parameter distance of a mark are the mark's own neighbourhood: near
+// a fold the depth changes with the square root of the screen coordinate, so rounding of the latter
+// (1e-16) shifts the parameter by 1e-8.
 constexpr double kSameParameter = 1e-7;
 
-// Nearer to the viewer by less than this, relative to the scene's size, is the
-// same place.
+// Nearer to the viewer by less than this, relative to the scene's size, is the same place.
 constexpr double kSameDepth = 1e-9;
 
-// Images nearer than this, relative to the scene's size, are one: the rounding
-// of a view direction.
+// Images nearer than this, relative to the scene's size, are one: the rounding of a view direction.
 constexpr double kSameImage = 1e-12;
 
 // Between its cuts a formula is nearly a cubic. So many times as far off as it is where compared,
@@ -112,8 +109,8 @@ SightLine Sight::lineAt(double image) const {
   return {image, std::cos(image), std::sin(image)};
 }
 
-// Signed distance, on the screen, of the image of p from the line; in
-// perspective multiplied by positive factors, so that it stays finite.
+// Signed distance, on the screen, of the image of p from the line; in perspective multiplied by
+// positive factors, so that it stays finite.
 double Sight::beside(const Vec2& p, const SightLine& line) const {
   const double across = p.dot(frame_.axis);
   return frame_.distance ? across * line.along - line.up * depth(p) : across - line.up;
@@ -175,16 +172,15 @@ void Sight::cut(int curve, int piece, std::vector<SightPart>& to) const {
 bool Sight::add(const SightCurves::Stretch& stretch, int curve, int piece, double low, double high,
                 double nearest, std::vector<SightPart>& to) const {
   if (!(depth(curves_->point(curve, piece, 0.5 * (low + high))) > 0.0)) return false;  // behind
-  const auto imageAt = [&](double t, double inwards) {
-    const Vec2 p = curves_->point(curve, piece, t);
+  const Vec2 atLow = curves_->point(curve, piece, low), atHigh = curves_->point(curve, piece, high);
+  const auto imageAt = [&](const Vec2& p, double t, double inwards) {
     if (depth(p) > 0.0) return image(p);
-    // Beside the viewer, to the side it comes from; at the viewer only its
-    // neighbours tell which.
+    // Beside the viewer, to the side it comes from; at the viewer only its neighbours tell which.
     const Vec2 near = curves_->point(curve, piece, t + 1e-3 * inwards * (high - low));
     return std::copysign(0.5 * std::numbers::pi, near.dot(frame_.axis));
   };
-  to.push_back(
-      {curve, piece, low, high, imageAt(low, 1.0), imageAt(high, -1.0), nearest, &stretch});
+  to.push_back({curve, piece, low, high, atLow, atHigh, imageAt(atLow, low, 1.0),
+                imageAt(atHigh, high, -1.0), nearest, &stretch});
   return true;
 }
 
@@ -194,7 +190,7 @@ bool Sight::isEndOn(const SightPart& part) const {
 
 double Sight::crossing(const SightPart& part, const SightLine& line) const {
   double a = part.low, b = part.high;
-  double fa = beside(point(part, a), line), fb = beside(point(part, b), line);
+  double fa = beside(part.pointLow, line), fb = beside(part.pointHigh, line);
   if (fa == 0.0) return a;
   if (fb == 0.0) return b;
   // Illinois; the image is monotone, so the sign change is the only one.
@@ -253,8 +249,7 @@ bool Sight::hides(const SightPart& part, const Vec2& q, const SightLine& line) c
     return false;
   }
   if (isEndOn(part)) {
-    return std::max(nearness(frame_, point(part, part.low)),
-                    nearness(frame_, point(part, part.high))) > nearest;
+    return std::max(nearness(frame_, part.pointLow), nearness(frame_, part.pointHigh)) > nearest;
   }
   // Points at the viewer's own depth or behind it do not hide anything.
   if (!(nearestOn(part, line) > nearest)) return false;

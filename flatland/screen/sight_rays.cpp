@@ -120,8 +120,8 @@ class Ray {
   }
 
   bool isHiddenByPiece(const Element& element) {
-    // Most often the control points settle it: all on one side of the line, or
-    // the ends on either side of it and all before the point.
+    // Most often the control points settle it: all on one side of the line, or the ends on either
+    // side of it and all before the point.
     double least = std::numeric_limits<double>::infinity(), most = -least, farthest = least;
     for (const Vec2& p : element.stretch->around) {
       const double beside = sight_.image(p) - line_.image;

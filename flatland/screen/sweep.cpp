@@ -18,23 +18,22 @@ namespace {
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kMaxAngleStepDeg = 2.0;
 constexpr double kMaxLengthStep = 0.01;  // of the curve
-// Enough for a tangent that turns within 1e-8 of a branch. Where the speed
-// vanishes to second order angles within about 1e-5 of the place are noise,
-// which no halving smooths: some thousand samples.
+// Enough for a tangent that turns within 1e-8 of a branch. Where the speed vanishes to second order
+// angles within about 1e-5 of the place are noise, which no halving smooths: some thousand samples.
 constexpr int kMaxHalvings = 28;
 constexpr double kLengthAccuracy = 1e-12;  // of the control polygon
 
-// What may be spent on closeness beyond 16 steps a branch: of a curve, and of a
-// scene (docs/decisions/0022-budgets.md). The default curve takes 500 points, a
-// circle of four pieces 800.
+// What may be spent on closeness beyond 16 steps a branch: of a curve, and of a scene
+// (docs/decisions/0022-budgets.md). The default curve takes 500 points, a circle of four pieces
+// 800.
 constexpr int kMostPointsOfCurve = 20000;
 constexpr int kMostPointsOfScene = 400000;
 constexpr int kLeastHalvings = 4;
 
 double angleDegOf(const Vec2& v) { return std::atan2(v.y(), v.x()) * kDegPerRad; }
 
-// The view from which the point is a root of dlambda/du. The left normal
-// serves: w and -w are the same.
+// The view from which the point is a root of dlambda/du. The left normal serves: w and -w are the
+// same.
 double ridgeAngleDeg(const Jet& jet) {
   const Frame f = frameOf(jet);
   // t lies at -90 degrees from the left normal.
@@ -73,8 +72,7 @@ class CurveSweeper {
     return arcLength(curve_, piece_ + low, piece_ + high, accuracy_).value;
   }
 
-  // Up to a place of the piece: from the nearest one before it whose length is
-  // known.
+  // Up to a place of the piece: from the nearest one before it whose length is known.
   double lengthAt(double t) {
     const double at = piece_ + t;
     const auto after = known_.upper_bound(at);
@@ -114,9 +112,8 @@ class CurveSweeper {
       for (const Root& root : roots.roots) {
         if (root.t <= 0.0 || root.t >= 1.0 || !root.isCrossing()) continue;
         const double t = arc.parameter(root.t);
-        // Where curvature is extreme the direction may turn by half a turn
-        // within a hair's breadth, which sampling from afar would take for no
-        // turn at all: branches are cut there too.
+        // Where curvature is extreme the direction may turn by half a turn within a hair's breadth,
+        // which sampling from afar would take for no turn at all: branches are cut there too.
         cuts.push_back(t);
         const Jet jet = jetAt(curve_, piece_, t);
         const double angle = what == SweepEvent::What::MeetsSilhouette ? silhouetteAngleDeg(jet)
@@ -140,16 +137,14 @@ class CurveSweeper {
     }
   }
 
-  // Samples a branch from both ends inwards until neighbours are close. At a
-  // cusp the direction is that of the limit, so the ends are taken a hair
-  // inside.
+  // Samples a branch from both ends inwards until neighbours are close. At a cusp the direction is
+  // that of the limit, so the ends are taken a hair inside.
   template <class Angle>
   void addBranch(MarkKind kind, double low, double high, Angle angleOf) {
     const auto sample = [&](double t) {
       return SweepPoint{angleOf(jetAt(curve_, piece_, t)), piece_ + t, 0.0};
     };
-    // Where the speed vanishes to a higher order it rounds to 0 a hair inside
-    // too.
+    // Where the speed vanishes to a higher order it rounds to 0 a hair inside too.
     const auto endSample = [&](double end, double inwards) {
       double hair = 0x1p-40;
       SweepPoint point = sample(end + hair * inwards);

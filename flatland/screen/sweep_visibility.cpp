@@ -11,9 +11,8 @@ namespace {
 
 constexpr int kDegrees = 360;
 
-// The whole degrees stand a hair off the axes: exactly along an axis a scene of
-// round numbers has its sights through joints and ends, where a touch counts as
-// hiding.
+// The whole degrees stand a hair off the axes: exactly along an axis a scene of round numbers has
+// its sights through joints and ends, where a touch counts as hiding.
 constexpr double kOffAxisDeg = 1e-3;
 
 }  // namespace

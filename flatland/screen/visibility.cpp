@@ -14,15 +14,13 @@ namespace flatland {
 
 namespace {
 
-// Samples between two neighbouring images of edges, to catch where curves
-// cross.
+// Samples between two neighbouring images of edges, to catch where curves cross.
 constexpr int kSamples = 16;
 constexpr int kFewestSamples = 4;
 constexpr int kMostSamples = 2000;  // all told, unless the fewest are more
 
-/// Finds the parts that lie over a place of the screen, nearest first: a tree
-/// over the parts by their image, each node with the span and the nearest of
-/// what is below it.
+/// Finds the parts that lie over a place of the screen, nearest first: a tree over the parts by
+/// their image, each node with the span and the nearest of what is below it.
 class PartTree {
  public:
   explicit PartTree(const std::vector<SightPart>& parts) : parts_(parts) {
@@ -35,10 +33,9 @@ class PartTree {
     if (!parts.empty()) build(0, static_cast<int>(parts.size()));
   }
 
-  /// Calls visit(part index) for parts whose image, widened by `slack`, holds
-  /// `image` and whose nearest point is beyond least(), which may rise
-  /// meanwhile; the more promising half first. Stops when visit says true, and
-  /// says so.
+  /// Calls visit(part index) for parts whose image, widened by `slack`, holds `image` and whose
+  /// nearest point is beyond least(), which may rise meanwhile; the more promising half first.
+  /// Stops when visit says true, and says so.
   template <class Visit, class Least>
   bool find(double image, double slack, const Least& least, const Visit& visit) const {
     return !nodes_.empty() && descend(0, image, slack, least, visit);
@@ -112,7 +109,7 @@ class PartTree {
   std::vector<Node> nodes_;
 };
 
-/// /// A run of parts without a fold between them, whose images follow each other.
+/// A run of parts without a fold between them, whose images follow each other.
 struct Strip {
   int first, last;    ///< of the parts
   double start, end;  ///< image at the ends
@@ -153,8 +150,7 @@ class FrontLine {
   }
 
   std::vector<Span> run() {
-    // Between neighbouring images of edges the same parts are there, so only
-    // crossings matter.
+    // Between neighbouring images of edges the same parts are there, so only crossings matter.
     struct Edge {
       double image;
       int strip;
@@ -217,9 +213,8 @@ class FrontLine {
     return front;
   }
 
-  // The ends themselves are edges, where the answer is about to change: looked
-  // at just inside. Lines that are in front at both ends of a stretch are so
-  // all along it.
+  // The ends themselves are edges, where the answer is about to change: looked at just inside.
+  // Lines that are in front at both ends of a stretch are so all along it.
   void addSlab(double low, double high, bool crossingsHide) {
     constexpr double kHair = 1e-6;
     const double width = high - low;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "flatland/features/features.h"
 #include "flatland/features/terms.h"
@@ -76,15 +78,19 @@ std::vector<double> logSteps(double from, double to, int perDecade = kPerDecade)
   return steps;
 }
 
-// The angles of a slide, two searches each, when one search costs so many evaluations of formulas:
-// all of them, or fewer and not so far down.
-std::vector<double> slideSteps(std::uint64_t cost) {
-  constexpr std::uint64_t kMostEvaluations = 2'000'000;
+// What the searches of a slide may cost in evaluations of formulas: over the whole curve, and where
+// that is too dear near its end. There the marks stand so close that an evaluation comes with ten
+// times its own work.
+constexpr std::uint64_t kMostForWhole = 2'000'000, kMostForNear = 600'000;
+
+// The angles of a slide, two searches each, when one search costs so much: all of them, or fewer
+// and not so far down.
+std::vector<double> slideSteps(std::uint64_t cost, std::uint64_t most) {
   constexpr int kFewestPerDecade = 4;  // what a fit needs
   constexpr double kFewestDecades = 1.5;
   std::vector<double> all = logSteps(kLargestSlide, kSmallestSlide);
-  if (2 * all.size() * cost <= kMostEvaluations) return all;
-  const double decades = static_cast<double>(kMostEvaluations / cost) / (2.0 * kFewestPerDecade);
+  if (2 * all.size() * cost <= most) return all;
+  const double decades = static_cast<double>(most / cost) / (2.0 * kFewestPerDecade);
   const double smallest = kLargestSlide * std::pow(10.0, -std::max(decades, kFewestDecades));
   return logSteps(kLargestSlide, std::max(smallest, kSmallestSlide), kFewestPerDecade);
 }
@@ -239,6 +245,51 @@ std::optional<Start> startAt(const Scene& scene, int curve, double t) {
   return start;
 }
 
+// The shortest text that is read as this number again.
+std::string textOf(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+/// What a slide searches: the whole curve, or what is near its end.
+struct SlideField {
+  Scene seen;
+  double u;  ///< where the slide ends
+};
+
+// A typed formula alone from nearly the second inflection before the mark to the second after it.
+// `inflections` are in order of t, the mark among them.
+std::optional<SlideField> fieldAround(const Start& start, const std::vector<Mark>& inflections,
+                                      const Mark& mark) {
+  const auto* formula = std::get_if<FormulaCurve>(&start.shape);
+  if (!formula || !formula->typed()) return std::nullopt;
+  const auto here = std::find_if(inflections.begin(), inflections.end(),
+                                 [&](const Mark& each) { return each.t == mark.t; });
+  const bool first = here - inflections.begin() < 2;
+  const bool last = inflections.end() - here <= 2;
+  if (isClosed(start.shape) && (first || last)) return std::nullopt;  // the way may cross the seam
+  // Neither to the very inflection nor as far to both sides: a zero at an end, or in the middle
+  // where stretches are halved, is dear.
+  const auto towards = [&](std::ptrdiff_t side, double share) {
+    return (here + side)->t + share * ((here + 2 * side)->t - (here + side)->t);
+  };
+  const double low = first ? 0.0 : towards(-1, 0.7), high = last ? 1.0 : towards(1, 0.8);
+
+  TypedFormula part = *formula->typed();
+  const auto valueOf = [&](const std::string& text) {
+    const auto parsed = Expression::parse(text, part.constants, false);
+    return parsed.expression ? parsed.expression->at(Taylor<0>(0.0)).value() : kNone;
+  };
+  const double from = valueOf(part.from), to = valueOf(part.to);
+  part.from = textOf(from + low * (to - from));
+  part.to = textOf(from + high * (to - from));
+  const auto made = FormulaCurve::make(part, formula->at());
+  if (!made.curve) return std::nullopt;
+  SlideField field{start.seen, arcLength(start.shape, low, mark.t, 1e-12 * start.length).value};
+  field.seen.curves[0].shape = *made.curve;
+  return field;
+}
+
 }  // namespace
 
 std::string_view nameOf(LimitExperiment experiment) {
@@ -368,13 +419,14 @@ std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, do
   const Curve& shape = start->shape;
   const double length = start->length;
   std::optional<Mark> at;
-  const std::uint64_t before = FormulaCurve::evaluations();
-  const FeatureSet found = findFeatures(seen);
-  const std::uint64_t cost = FormulaCurve::evaluations() - before;
-  for (const Mark& mark : found.marks) {
+  std::vector<Mark> inflections;
+  std::uint64_t cost = FormulaCurve::evaluations();
+  for (const Mark& mark : findFeatures(seen).marks) {
     if (mark.kind != MarkKind::Inflection) continue;
+    inflections.push_back(mark);
     if (!at || start->wayTo(mark) < start->wayTo(*at)) at = mark;
   }
+  cost = FormulaCurve::evaluations() - cost;
   if (!at) return std::nullopt;
   const Jet jet = jetAt(shape, at->t);
   if (!(jet.d1.squaredNorm() > 0.0)) return std::nullopt;
@@ -388,17 +440,29 @@ std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, do
                  law(LimitQuantity::SilhouetteDistance, 0.5, std::sqrt(2.0 / c))};
   // With the left normal, the branch turns counter-clockwise by k' s^2 / 2 (docs/math/limits.md).
   const double turn = f.kPrime > 0.0 ? 1.0 : -1.0;
+  SlideField field{seen, at->u};
+  std::vector<double> angles = slideSteps(cost, kMostForWhole);
+  bool whole = true;
+  if (angles.size() < slideSteps(0, kMostForWhole).size()) {
+    if (auto near = fieldAround(*start, inflections, *at)) {
+      field = std::move(*near);
+      whole = false;
+      cost = FormulaCurve::evaluations();
+      findFeatures(field.seen);
+      angles = slideSteps(FormulaCurve::evaluations() - cost, kMostForNear);
+    }
+  }
   const auto nearest = [&](MarkKind kind, double angleDeg) {
-    seen.view.angleDeg = normalizedDeg(angleDeg);
+    field.seen.view.angleDeg = normalizedDeg(angleDeg);
     double best = kNone;
-    for (const Mark& mark : findFeatures(seen).marks) {
+    for (const Mark& mark : findFeatures(field.seen).marks) {
       if (mark.kind != kind) continue;
-      const double way = start->between(mark.u, at->u);
+      const double way = whole ? start->between(mark.u, field.u) : std::abs(mark.u - field.u);
       if (!(way >= best)) best = way;
     }
     return best;
   };
-  for (const double angle : slideSteps(cost)) {
+  for (const double angle : angles) {
     if (goOn && !goOn()) return std::nullopt;
     series.x.push_back(angle);
     const double step = turn * angle * kDegPerRad;

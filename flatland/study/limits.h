@@ -87,10 +87,11 @@ std::optional<LimitSeries> turnToSilhouette(const Scene& scene, int curve, doubl
 std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, double t);
 
 /// Slide at the inflection nearest to the point along the curve. Every root is found anew, by
-/// findFeatures; on a formula that makes this dear there are fewer views, and they end at a larger
-/// angle, as `x` says (2 million evaluations, but at least 1.5 decades with 4 views each). nullopt
-/// if the curve has no inflection with k' != 0 that is not at an end, or once `goOn`, which is
-/// asked before each view, says no.
+/// findFeatures. On a formula on which that takes more than 2 million evaluations there are fewer
+/// views, which end at a larger angle, as `x` says (at least 1.5 decades with 4 views each). Of a
+/// typed formula as dear only what lies up to the second inflection on either side is then searched.
+/// nullopt if the curve has no inflection with k' != 0 that is not at an end, or once `goOn`, which
+/// is asked before each view, says no.
 std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, double t,
                                                const std::function<bool()>& goOn = {});
 

@@ -34,14 +34,16 @@ constexpr double kRatioDecades = 5.0;
 constexpr double kSame = 1e-9;
 constexpr double kSamePrime = 1e-6;
 
-struct Node {
-  ProfileSample sample;
-  double speed, speed1, speed2;  // |d1| and its derivatives by the parameter
-};
-
 // Values in which a straight line on the plot is a straight line.
 constexpr std::size_t kChannels = 6;
 using Channels = std::array<double, kChannels>;
+
+struct Node {
+  ProfileSample sample;
+  double speed, speed1, speed2;  // |d1| and its derivatives by the parameter
+  Channels channels;             // once there are scales
+};
+
 constexpr Channels kTolerance{0.002, 0.004, 0.004, 0.004, 0.01, 0.01};
 
 double median(std::vector<double> values, double otherwise) {
@@ -145,9 +147,13 @@ class Profiler {
     kScale_ = median(std::move(ks), 1.0 / size_);
     termScale_ = median(std::move(terms), 1.0 / (size_ * size_ * size_));
     lambdaScale_ = median(std::move(lambdas), 1.0 / (size_ * size_));
+    scaled_ = true;
     // Now that there is a size, what is zero against it can be told.
     for (Stretch& stretch : stretches_) {
-      for (Node& node : stretch.nodes) withoutRounding(node.sample);
+      for (Node& node : stretch.nodes) {
+        withoutRounding(node.sample);
+        node.channels = channelsOf(node.sample);
+      }
     }
   }
 
@@ -167,7 +173,7 @@ class Profiler {
     }
     const double s = jet.d1.norm();
     const double along = jet.d1.dot(jet.d2);
-    Node node{{}, s, along / s, 0.0};
+    Node node{{}, s, along / s, 0.0, {}};
     node.speed2 = (jet.d2.squaredNorm() + jet.d1.dot(jet.d3)) / s - along * along / (s * s * s);
     const Terms terms = termsAt(jet, frame_, side_);
     ProfileSample& sample = node.sample;
@@ -186,6 +192,7 @@ class Profiler {
     // k cancels: at an inflection both terms are 0 and their ratio is a plain 0.
     sample.ratio = terms.k * terms.k * std::abs(terms.tw) / std::abs(terms.nw * terms.kPrime);
     if (size_ > 0.0) withoutRounding(sample);
+    if (scaled_) node.channels = channelsOf(sample);
     return node;
   }
 
@@ -234,7 +241,7 @@ class Profiler {
     const double high = (b.sample.point - m.sample.point).norm();
     if (low + high <= kShortestStep * size_) return true;
     const double share = low / (low + high);
-    const Channels ya = channelsOf(a.sample), ym = channelsOf(m.sample), yb = channelsOf(b.sample);
+    const Channels &ya = a.channels, &ym = m.channels, &yb = b.channels;
     for (std::size_t i = 0; i < kChannels; ++i) {
       const double line = ya[i] + share * (yb[i] - ya[i]);
       if (!(std::abs(ym[i] - line) <= tolerance_ * kTolerance[i])) return false;
@@ -316,6 +323,7 @@ class Profiler {
   std::vector<const Degenerate*> degenerate_;
   std::vector<Stretch> stretches_;
   double size_ = 0.0;  // the length, roughly
+  bool scaled_ = false;
   double kScale_ = 1.0, termScale_ = 1.0, lambdaScale_ = 1.0;
   int budget_ = 0;
   double u_ = 0.0, tEnd_ = 0.0;

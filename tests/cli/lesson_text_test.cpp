@@ -77,9 +77,9 @@ TEST(LessonText, RefusesWithLineAndReason) {
   EXPECT_EQ(refusal("# A\n## B\n\n```flatland\n{}\n"),
             "l.md: line 4: the block is not closed by ```");
   EXPECT_NE(refusal("# A\n## B\n" + block(R"({"preset": "bmup"})"))
-                .find("line 3: \"preset\": no such preset; there are thesis"),
+                .find("line 4: \"preset\": no such preset; there are thesis"),
             std::string::npos);
-  EXPECT_NE(refusal("# A\n## B\n" + block(R"({"veiw": 3})")).find("line 3: \"veiw\": unknown key"),
+  EXPECT_NE(refusal("# A\n## B\n" + block(R"({"veiw": 3})")).find("line 4: \"veiw\": unknown key"),
             std::string::npos);
   EXPECT_NE(refusal("# A\n## B\n" + block("{\"probe\": 1,\n \"stop\": }")).find("line 5, column"),
             std::string::npos)
@@ -90,7 +90,24 @@ TEST(LessonText, RefusesWithLineAndReason) {
   EXPECT_NE(refusal("# A\n## B\n" + block("{}") + block("{}")).find("line 6: a second block"),
             std::string::npos);
   EXPECT_NE(refusal("# A\n## B\n" + block(R"({"panel": "sweeep"})"))
-                .find("line 3: \"panel\": no such panel; there are view, "),
+                .find("line 4: \"panel\": no such panel; there are view, "),
+            std::string::npos);
+  // The line of the key, whatever looks like it before.
+  EXPECT_NE(refusal("# A\n## B\n" + block("{\"families\": [\"ridge\"],\n \"panel\": \"view\",\n\n"
+                                          " \"pr\\u006fbe\" :\n \"probe\", \"stop\": true}"))
+                .find("line 7: \"probe\": expected t"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("# A\n## B\n" +
+              block("{\"scene\": {\n\"flatland\": 1,\n \"curves\": [], \"view\": \"\\\":{\"},\n"
+                    "\"stop\": 1}"))
+          .find("line 4: \"scene\": "),
+      std::string::npos);
+  EXPECT_NE(refusal("# A\n## B\n" + block("{\"panel\": \"view\",\n\"stop\": 1}"))
+                .find("line 5: \"stop\": expected true or false"),
+            std::string::npos);
+  EXPECT_NE(refusal("# A\n## B\n" + block("{\"equation\": \"3.5\",\n\n\"printed\": true}"))
+                .find("line 6: \"printed\" is for"),
             std::string::npos);
   EXPECT_NE(refusal("# A\n## B\n\xFF\n").find("line 3: not UTF-8"), std::string::npos);
   EXPECT_NE(refusal(std::string(kLargestLessonBytes + 1, 'x')).find("too large"),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -37,7 +38,21 @@ std::vector<double> spreadApart(const std::vector<double>& wanted, double gap) {
   return placed;
 }
 
-void LabelPlacer::block(const Vec2& centre, const Vec2& half) { boxes_.push_back({centre, half}); }
+std::pair<int, int> LabelPlacer::cellOf(const Vec2& point) {
+  static constexpr double kCellPx = 32.0;
+  static constexpr double kFar = 1e6;  // cells beyond are one: an int holds it
+  const auto index = [](double x) {
+    return static_cast<int>(std::floor(std::clamp(x / kCellPx, -kFar, kFar)));
+  };
+  return {index(point.x()), index(point.y())};
+}
+
+void LabelPlacer::block(const Vec2& centre, const Vec2& half) {
+  cells_[cellOf(centre)].boxes.push_back({centre, half});
+  largestHalf_ = largestHalf_.cwiseMax(half);
+}
+
+void LabelPlacer::discourage(const Vec2& point) { cells_[cellOf(point)].points.push_back(point); }
 
 Vec2 LabelPlacer::place(const Vec2& anchor, const Vec2& half, const Vec2& preferred) {
   constexpr std::array<double, 3> kRingsPx{14.0, 20.0, 27.0};
@@ -46,12 +61,32 @@ Vec2 LabelPlacer::place(const Vec2& anchor, const Vec2& half, const Vec2& prefer
   constexpr double kPointCost = 4.0;
   constexpr double kRingCost = 12.0;
   constexpr double kTurnCost = 3.0;
+  constexpr std::size_t kCrowd = 2000;  // things nearby; then every place is as bad as the others
 
   // Only what is near can be covered.
   const double reach = kRingsPx.back() + half.norm();
+  const Vec2 boxReach = Vec2::Constant(kRingsPx.back()) + half + largestHalf_;
+  const Vec2 searched = boxReach.cwiseMax(Vec2::Constant(reach));
+  const auto low = cellOf(anchor - searched), high = cellOf(anchor + searched);
+  std::vector<Box> nearBoxes;
   std::vector<Vec2> nearPoints;
-  std::copy_if(points_.begin(), points_.end(), std::back_inserter(nearPoints),
-               [&](const Vec2& p) { return (p - anchor).squaredNorm() < reach * reach; });
+  for (int column = low.first; column <= high.first; ++column) {
+    auto at = cells_.lower_bound({column, low.second});
+    for (; at != cells_.end() && at->first <= std::pair(column, high.second); ++at) {
+      std::copy_if(at->second.boxes.begin(), at->second.boxes.end(), std::back_inserter(nearBoxes),
+                   [&](const Box& box) {
+                     return ((box.centre - anchor).cwiseAbs() - boxReach).maxCoeff() < 0.0;
+                   });
+      std::copy_if(at->second.points.begin(), at->second.points.end(),
+                   std::back_inserter(nearPoints),
+                   [&](const Vec2& p) { return (p - anchor).squaredNorm() < reach * reach; });
+    }
+    if (nearBoxes.size() + nearPoints.size() > kCrowd) {
+      const Vec2 preferredPlace = anchor + kRingsPx.front() * preferred;
+      block(preferredPlace, half);
+      return preferredPlace;
+    }
+  }
 
   Vec2 best = anchor + kRingsPx.front() * preferred;
   double bestCost = std::numeric_limits<double>::infinity();
@@ -63,7 +98,7 @@ Vec2 LabelPlacer::place(const Vec2& anchor, const Vec2& half, const Vec2& prefer
       const Vec2 unit = std::cos(angle) * preferred + std::sin(angle) * rotateCcw(preferred);
       const Vec2 centre = anchor + kRingsPx[ring] * unit;
       double cost = kRingCost * static_cast<double>(ring) + kTurnCost * std::abs(angle);
-      for (const Box& box : boxes_) {
+      for (const Box& box : nearBoxes) {
         const Vec2 overlap = (half + box.half) - (centre - box.centre).cwiseAbs();
         if (overlap.minCoeff() > 0.0) cost += 10.0 + overlap.prod();
       }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "flatland/curve/vec2.h"
@@ -19,19 +21,27 @@ class LabelPlacer {
   void block(const Vec2& centre, const Vec2& half);
 
   /// Something a label had better not cover, as a dense row of points; less is better.
-  void discourage(const Vec2& point) { points_.push_back(point); }
+  void discourage(const Vec2& point);
 
   /// The centre for a label of half size `half` that names `anchor`: the best of three rings of
   /// directions around it, those near the unit vector `preferred` first. The place is blocked then.
-  /// Where there is no free one, the least bad is returned.
+  /// Where there is no free one, the least bad is returned; in a crowd of thousands around it, the
+  /// preferred one. Cost: what is near, not how much there is.
   Vec2 place(const Vec2& anchor, const Vec2& half, const Vec2& preferred);
 
  private:
   struct Box {
     Vec2 centre, half;
   };
-  std::vector<Box> boxes_;
-  std::vector<Vec2> points_;
+  /// What has its centre in one square of the figure.
+  struct Cell {
+    std::vector<Box> boxes;
+    std::vector<Vec2> points;
+  };
+  static std::pair<int, int> cellOf(const Vec2& point);
+
+  std::map<std::pair<int, int>, Cell> cells_;
+  Vec2 largestHalf_ = Vec2::Zero();  // of the boxes
 };
 
 }  // namespace flatland::ui
