@@ -28,7 +28,7 @@ struct FieldOptions {
 };
 
 /// The fields of a mesh; empty (no vertices) if stopped. Vertices without a normal have 0
-/// throughout; nothing is ever infinite or NaN. About 6 microseconds of processor time a vertex
+/// throughout; nothing is ever infinite or NaN. About 4 microseconds of processor time a vertex
 /// (JetFit, up to twice that on noisy meshes) or 2 (OneRing). docs/math/surface_fields.md has the
 /// accuracy.
 SurfaceFields estimateFields(const TriangleMesh& mesh, const FieldOptions& options = {});

@@ -5,6 +5,14 @@
 #include <cmath>
 #include <cstdint>
 
+// A function compiled for several processors, of which the program takes the best when it starts.
+// Products are never fused with sums, so that all of them give the same numbers.
+#if defined(__x86_64__) && defined(__gnu_linux__)
+#define FLATLAND_CLONES [[gnu::target_clones("avx512f", "avx2", "default")]]
+#else
+#define FLATLAND_CLONES
+#endif
+
 namespace flatland {
 
 namespace {
@@ -43,19 +51,126 @@ constexpr double kDerivatives[kSize] = {1.0,   1.0,        1.0,        4.0,     
                                         4.0,   36.0,       3.0 * 4.0,  3.0 * 4.0,  36.0,
                                         576.0, 4.0 * 36.0, 6.0 * 16.0, 4.0 * 36.0, 576.0};
 
+// Eight numbers that the compiler computes with at once, in as many registers as they need.
+using Row [[gnu::vector_size(64)]] = double;
+
+// Sums over points of w u^i v^j, i < 8 along a row (those of i + j > 8 are computed in vain), of
+// w u^8, of w h u^i v^j and of w h^2.
+struct Rows {
+  Row powers[9];
+  Row heights[5];
+  double eighth, heightsSq;
+};
+
+FLATLAND_CLONES
+void sumRows(const WeightedHeight* points, std::size_t count, Rows& sums) {
+  using Mask [[gnu::vector_size(64)]] = long long;
+  constexpr Mask kOdd = {0, -1, 0, -1, 0, -1, 0, -1}, kTwos = {0, 0, -1, -1, 0, 0, -1, -1},
+                 kFours = {0, 0, 0, 0, -1, -1, -1, -1};
+  constexpr Row kOnes = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+  Row powers[9] = {}, heights[5] = {};
+  double eighth = 0.0, heightsSq = 0.0;
+  for (std::size_t p = 0; p < count; ++p) {
+    const auto [u, v, h, weight] = points[p];
+    const double square = u * u, fourth = square * square;
+    Row row = (kOdd ? kOnes * u : kOnes) * (kTwos ? kOnes * square : kOnes) *
+              ((kFours ? kOnes * fourth : kOnes) * weight);
+    eighth += weight * (fourth * fourth);
+    heightsSq += weight * h * h;
+#pragma GCC unroll 9
+    for (int j = 0; j <= 8; ++j) {
+      powers[j] += row;
+      if (j <= 4) heights[j] += row * h;
+      row *= v;
+    }
+  }
+  std::copy(powers, powers + 9, sums.powers);
+  std::copy(heights, heights + 5, sums.heights);
+  sums.eighth = eighth;
+  sums.heightsSq = heightsSq;
+}
+
+// Least squares of the degree that the polynomial has; lowers it if the points do not decide it.
+// Loops go along padded rows, which the compiler turns into a few wide registers each.
+FLATLAND_CLONES
+void solve(const HeightSums& sums, HeightPolynomial& polynomial) {
+  constexpr std::size_t kPadded = 16;
+  std::size_t size = HeightPolynomial::sizeOf(polynomial.degree);
+
+  // Cholesky of the normal equations, scaled to a diagonal of 1 (so units and the size of the
+  // neighbourhood do not count). Columns stand by degree: a smaller degree is a leading block.
+  // L[k] is column k of the factor; above the diagonal it means nothing.
+  alignas(64) double L[kSize][kPadded], scale[kPadded] = {}, inverse[kSize];
+  for (std::size_t i = 0; i < size; ++i) {
+    const double diagonal = sums.powers[kProducts.at[i][i]];
+    scale[i] = diagonal > 0.0 ? 1.0 / std::sqrt(diagonal) : 0.0;
+  }
+  for (std::size_t j = 0; j < size; ++j) {
+    alignas(64) double column[kPadded] = {};
+    for (std::size_t i = j + 1; i < size; ++i) column[i] = sums.powers[kProducts.at[i][j]];
+    for (std::size_t i = 0; i < kPadded; ++i) column[i] *= scale[i] * scale[j];
+    column[j] = 1.0 + kRidge;
+    for (std::size_t k = 0; k < j; ++k) {
+      const double factor = L[k][j];
+      for (std::size_t i = 0; i < kPadded; ++i) column[i] -= factor * L[k][i];
+    }
+    double pivot = column[j];
+    if (j >= HeightPolynomial::sizeOf(2)) {
+      if (!(pivot > kLeastPivot)) {
+        polynomial.degree = j < HeightPolynomial::sizeOf(3) ? 2 : 3;
+        size = HeightPolynomial::sizeOf(polynomial.degree);
+        break;
+      }
+    } else {
+      pivot = std::max(pivot, kRidge);
+    }
+    inverse[j] = 1.0 / std::sqrt(pivot);
+    for (std::size_t i = 0; i < kPadded; ++i) L[j][i] = column[i] * inverse[j];
+  }
+
+  // With the rows X of the factor's inverse the solution is the sum of (X b) X, and the variances
+  // are the sums of their squares.
+  alignas(64) double X[kSize][kPadded], squares[kPadded] = {}, solution[kPadded] = {};
+  double y[kSize];
+  for (std::size_t i = 0; i < size; ++i) {
+    alignas(64) double row[kPadded] = {};
+    row[i] = 1.0;
+    y[i] = scale[i] * sums.heights[i];
+    for (std::size_t k = 0; k < i; ++k) {
+      const double factor = L[k][i];
+      y[i] -= factor * y[k];
+      for (std::size_t c = 0; c < kPadded; ++c) row[c] -= factor * X[k][c];
+    }
+    y[i] *= inverse[i];
+    for (std::size_t c = 0; c < kPadded; ++c) {
+      X[i][c] = row[c] * inverse[i];
+      squares[c] += X[i][c] * X[i][c];
+      solution[c] += y[i] * X[i][c];
+    }
+  }
+  for (std::size_t i = 0; i < size; ++i) polynomial.coefficients[i] = solution[i] * scale[i];
+  for (std::size_t i = HeightPolynomial::sizeOf(2); i < size; ++i) {
+    double& variance =
+        i < HeightPolynomial::sizeOf(3) ? polynomial.thirdVariance : polynomial.fourthVariance;
+    variance += kDerivatives[i] * squares[i] * scale[i] * scale[i];
+  }
+}
+
 }  // namespace
 
-void HeightSums::add(double u, double v, double h, double weight) {
-  std::array<double, kPowers> power;
-  power[0] = weight;
-  for (std::size_t d = 1, row = 1, before = 0; d <= 8; before = row, row += ++d) {
-    for (std::size_t j = 0; j < d; ++j) power[row + j] = power[before + j] * u;
-    power[row + d] = power[before + d - 1] * v;
+void HeightSums::add(std::span<const WeightedHeight> added) {
+  Rows rows;
+  sumRows(added.data(), added.size(), rows);
+  for (int j = 0; j <= 8; ++j) {
+    for (int i = 0; i <= std::min(7, 8 - j); ++i)
+      powers[HeightPolynomial::index(i, j)] += rows.powers[j][i];
   }
-  for (std::size_t k = 0; k < kPowers; ++k) powers[k] += power[k];
-  for (std::size_t k = 0; k < kSize; ++k) heights[k] += h * power[k];
-  heightsSq += weight * h * h;
-  ++points;
+  powers[HeightPolynomial::index(8, 0)] += rows.eighth;
+  for (int j = 0; j <= 4; ++j) {
+    for (int i = 0; i <= 4 - j; ++i) heights[HeightPolynomial::index(i, j)] += rows.heights[j][i];
+  }
+  heightsSq += rows.heightsSq;
+  points += static_cast<int>(added.size());
 }
 
 void HeightSums::add(const HeightSums& other, double weight) {
@@ -75,63 +190,9 @@ double HeightPolynomial::derivativeNorm(int order) const {
 HeightPolynomial fitHeight(const HeightSums& sums, int degree) {
   while (degree > 2 && static_cast<std::size_t>(sums.points) < HeightPolynomial::sizeOf(degree))
     --degree;
-  std::size_t size = HeightPolynomial::sizeOf(degree);
-
-  // Cholesky of the normal equations, scaled to a diagonal of 1 (so units and the size of the
-  // neighbourhood do not count). Columns stand by degree: a smaller degree is a leading block.
-  double scale[kSize], L[kSize][kSize], inverse[kSize];
-  for (std::size_t i = 0; i < size; ++i) {
-    const double diagonal = sums.powers[kProducts.at[i][i]];
-    scale[i] = diagonal > 0.0 ? 1.0 / std::sqrt(diagonal) : 0.0;
-  }
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      double entry = scale[i] * scale[j] * sums.powers[kProducts.at[i][j]];
-      for (std::size_t k = 0; k < j; ++k) entry -= L[i][k] * L[j][k];
-      L[i][j] = entry * inverse[j];
-    }
-    double pivot = 1.0 + kRidge;
-    for (std::size_t k = 0; k < i; ++k) pivot -= L[i][k] * L[i][k];
-    if (i >= HeightPolynomial::sizeOf(2)) {
-      if (!(pivot > kLeastPivot)) {
-        degree = i < HeightPolynomial::sizeOf(3) ? 2 : 3;
-        size = HeightPolynomial::sizeOf(degree);
-        break;
-      }
-    } else {
-      pivot = std::max(pivot, kRidge);
-    }
-    inverse[i] = 1.0 / std::sqrt(pivot);
-  }
-
   HeightPolynomial polynomial;
   polynomial.degree = degree;
-  double* x = polynomial.coefficients.data();
-  for (std::size_t i = 0; i < size; ++i) {
-    double entry = scale[i] * sums.heights[i];
-    for (std::size_t k = 0; k < i; ++k) entry -= L[i][k] * x[k];
-    x[i] = entry * inverse[i];
-  }
-  for (std::size_t i = size; i-- > 0;) {
-    double entry = x[i];
-    for (std::size_t k = i + 1; k < size; ++k) entry -= L[k][i] * x[k];
-    x[i] = entry * inverse[i];
-  }
-  for (std::size_t i = 0; i < size; ++i) x[i] *= scale[i];
-
-  // The inverse's diagonal: the squares of column i of L's inverse.
-  for (std::size_t i = HeightPolynomial::sizeOf(2); i < size; ++i) {
-    double column[kSize], squares = 0.0;
-    for (std::size_t k = i; k < size; ++k) {
-      double entry = k == i ? 1.0 : 0.0;
-      for (std::size_t m = i; m < k; ++m) entry -= L[k][m] * column[m];
-      column[k] = entry * inverse[k];
-      squares += column[k] * column[k];
-    }
-    double& variance =
-        i < HeightPolynomial::sizeOf(3) ? polynomial.thirdVariance : polynomial.fourthVariance;
-    variance += kDerivatives[i] * squares * scale[i] * scale[i];
-  }
+  solve(sums, polynomial);
   return polynomial;
 }
 

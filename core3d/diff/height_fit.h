@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace flatland {
 
@@ -33,6 +34,11 @@ struct HeightPolynomial {
   double derivativeNorm(int order) const;
 };
 
+/// A point over a plane and how much it counts.
+struct WeightedHeight {
+  double u, v, h, weight;
+};
+
 /// Weighted points over a plane, reduced to the sums that a least squares fit of any degree up to 4
 /// is made from: sums of w u^i v^j and w h u^i v^j. Two sets of points are joined by adding their
 /// sums. Coordinates should be about 1 in size.
@@ -43,7 +49,9 @@ struct HeightSums {
   double heightsSq = 0.0;  ///< sum of w h^2
   int points = 0;
 
-  void add(double u, double v, double h, double weight);
+  /// About 10 nanoseconds a point with AVX-512, else up to 40. The sums are the same whatever the
+  /// processor.
+  void add(std::span<const WeightedHeight> added);
   /// Adds the points of another set, their weights multiplied.
   void add(const HeightSums& other, double weight);
 };
@@ -51,7 +59,7 @@ struct HeightSums {
 /// The polynomial of least squares, of the highest degree up to `degree` (2 to 4) that the points
 /// decide: at least as many points as coefficients, and no coefficient's column nearly a
 /// combination of those before it. For degree 2 that is not asked; undecided coefficients are then
-/// as small as the others allow, and without points all are 0. About 1 microsecond.
+/// as small as the others allow, and without points all are 0. About half a microsecond.
 HeightPolynomial fitHeight(const HeightSums& sums, int degree);
 
 /// Sum of w (h - polynomial)^2, >= 0.

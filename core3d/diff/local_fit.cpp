@@ -25,7 +25,8 @@ bool LocalFit::startAt(std::uint32_t v) {
   edge_ = sum / static_cast<double>(rings_.ring(1).size());
   if (!(edge_ > 0.0)) return false;
   sums_.clear();
-  sums_.emplace_back().add(0.0, 0.0, 0.0, 1.0);
+  constexpr WeightedHeight kItself[] = {{0.0, 0.0, 0.0, 1.0}};
+  sums_.emplace_back().add(kItself);
   addRing(1);
   return true;
 }
@@ -39,14 +40,15 @@ bool LocalFit::growTo(int k) {
 }
 
 void LocalFit::addRing(int k) {
-  HeightSums& sums = sums_.emplace_back();
+  heights_.clear();
   const double scale = 1.0 / edge_;
   for (const std::uint32_t q : rings_.ring(k)) {
     const double cosine = n_.dot(normals_[q]);
     if (!(cosine > 0.0)) continue;
     const Eigen::Vector3d d = scale * (mesh_.position(q).cast<double>() - p_);
-    sums.add(d.dot(e1_), d.dot(e2_), d.dot(n_), cosine * cosine);
+    heights_.push_back({d.dot(e1_), d.dot(e2_), d.dot(n_), cosine * cosine});
   }
+  sums_.emplace_back().add(heights_);
 }
 
 HeightPolynomial LocalFit::over(double size) {

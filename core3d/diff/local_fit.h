@@ -52,7 +52,8 @@ class LocalFit {
   const TriangleMesh& mesh_;
   const std::vector<Eigen::Vector3d>& normals_;
   VertexRings rings_;
-  std::vector<HeightSums> sums_;  // of each ring
+  std::vector<HeightSums> sums_;         // of each ring
+  std::vector<WeightedHeight> heights_;  // of the ring that is added
   Eigen::Vector3d p_, n_, e1_, e2_;
   double edge_ = 1.0;
 };

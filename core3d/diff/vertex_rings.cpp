@@ -65,25 +65,30 @@ void VertexRings::startAt(std::uint32_t v) {
     std::fill(seenBy_.begin(), seenBy_.end(), 0u);
     round_ = 1;
   }
-  reached_.assign(1, v);
+  if (reached_.empty()) reached_.resize(1);
+  reached_[0] = v;
   ends_.assign(1, 1);
   seenBy_[v] = round_;
 }
 
 void VertexRings::grow() {
   const std::size_t end = ends_.back(), begin = ends_.size() > 1 ? ends_[ends_.size() - 2] : 0;
+  std::size_t count = end;
   for (std::size_t i = begin; i < end; ++i) {
     const std::uint32_t from = reached_[i];
     if (i > 0 && neighbours_.onCrease[from]) continue;
     const auto around = neighbours_.of(from);
     const std::size_t step = 1 + (around.size() - 1) / kMostNeighbours;
+    // Room for all of them, so that each is written without a question and kept if it is new.
+    if (reached_.size() < count + around.size()) reached_.resize(2 * (count + around.size()));
     for (std::size_t k = 0; k < around.size(); k += step) {
-      if (seenBy_[around[k]] == round_) continue;
-      seenBy_[around[k]] = round_;
-      reached_.push_back(around[k]);
+      const std::uint32_t q = around[k];
+      reached_[count] = q;
+      count += seenBy_[q] != round_ ? 1 : 0;
+      seenBy_[q] = round_;
     }
   }
-  ends_.push_back(reached_.size());
+  ends_.push_back(count);
 }
 
 std::span<const std::uint32_t> VertexRings::ring(int k) const {

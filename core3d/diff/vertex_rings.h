@@ -40,7 +40,7 @@ class VertexRings {
  private:
   const VertexNeighbours& neighbours_;
   std::vector<std::uint32_t> seenBy_;   // the round in which a vertex was reached last
-  std::vector<std::uint32_t> reached_;  // ring after ring
+  std::vector<std::uint32_t> reached_;  // ring after ring, then room for more
   std::vector<std::size_t> ends_;       // of the rings
   std::uint32_t round_ = 0;
 };

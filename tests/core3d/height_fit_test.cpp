@@ -12,13 +12,11 @@
 namespace flatland::test {
 namespace {
 
-struct Point {
-  double u, v, h, weight;
-};
+using Point = WeightedHeight;
 
 HeightSums sumsOf(const std::vector<Point>& points) {
   HeightSums sums;
-  for (const Point& p : points) sums.add(p.u, p.v, p.h, p.weight);
+  sums.add(points);
   return sums;
 }
 
