@@ -138,7 +138,10 @@ class Strokes {
       const double given = threshold(family);
       StrokeFilter filter;
       filter.threshold = (movesWithInk(family) ? factor : 1.0) * given;
-      if (!lines_.unfiltered) filter.minLengthPx = options_.minLengthPx;
+      if (!lines_.unfiltered) {
+        filter.minLengthPx = options_.minLengthPx;
+        filter.minHolePx = options_.minWeightPx;
+      }
       if (movesWithInk(family)) {
         filter.minWeightPx = options_.minWeightPx;
         filter.unitStrength = given * std::max(factor, kLeastUnit);

@@ -39,7 +39,8 @@ struct StrokeOptions {
   double hysteresis = 0.6;
   double minLengthPx = 6.0;  ///< strokes shorter on the screen are dropped, except contours' loops
   /// A stroke of a family with a threshold is dropped if its length, weighed by how many times the
-  /// threshold its strength is (at most 3), is less: short strokes have to be strong.
+  /// threshold its strength is (at most 3), is less: short strokes have to be strong. So is the rim
+  /// of a hole that is shorter, unless there is background behind it.
   double minWeightPx = 30.0;
   double tolerancePx = 0.2;  ///< largest deviation on the screen from simplifying
   double smallestGapPx =

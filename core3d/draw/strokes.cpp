@@ -68,6 +68,16 @@ struct Places {
 // weight asked for is kept if it is clear enough.
 constexpr double kMostTimes = 3.0;
 
+// Scans are full of holes a few triangles wide, which are faults and no borders of what was
+// scanned.
+bool isPinhole(const SeenChain& chain, double minHolePx) {
+  const ScreenChain& line = chain.line;
+  return line.chain.family == LineFamily::Boundaries && line.chain.closed &&
+         line.length() < minHolePx &&
+         std::none_of(chain.stretches.begin(), chain.stretches.end(),
+                      [](const Stretch& s) { return s.seen == Seen::Outline; });
+}
+
 // The length between two places, each part times its strength over the unit.
 double weightOf(const ScreenChain& chain, double from, double to, double unit) {
   const Places places{chain};
@@ -172,6 +182,7 @@ std::vector<StrokePart> strokeParts(const SeenChain& chain, std::size_t index,
   const double length = line.length();
   const bool closed = line.chain.closed;
   std::vector<StrokePart> parts;
+  if (isPinhole(chain, filter.minHolePx)) return parts;
   for (const auto& [from, to] : strongStretches(line, filter.threshold, hysteresis)) {
     if (filter.unitStrength > 0.0 &&
         weightOf(line, from, to, filter.unitStrength) < filter.minWeightPx) {

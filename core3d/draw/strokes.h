@@ -27,7 +27,9 @@ struct StrokePart {
 struct StrokeFilter {
   double threshold = 0.0;  ///< of strength; 0 keeps every strength
   double minLengthPx = 0.0;
-  double minWeightPx = 0.0;   ///< see StrokeOptions::minWeightPx
+  double minWeightPx = 0.0;  ///< see StrokeOptions::minWeightPx
+  /// A closed boundary that is shorter, with no background behind it, is dropped: a pinhole.
+  double minHolePx = 0.0;
   double unitStrength = 0.0;  ///< that weighs 1 px a px; 0: strokes are not weighed
 };
 

@@ -230,6 +230,19 @@ TEST(Strokes, CrumbsGoAndContoursLoopsStay) {
   EXPECT_TRUE(strokeParts(loop, 0, {0.0, 6.0}, 0.6).front().closed);
 }
 
+TEST(Strokes, PinholesGoAndHolesStay) {
+  const auto count = [](double radius, LineFamily family, Seen seen) {
+    SeenChain loop{ring(std::vector<float>(12, 1.0f), radius), {}};
+    loop.line.chain.family = family;
+    loop.stretches = {{0.0, loop.line.length(), seen}};
+    return strokeParts(loop, 0, {.minLengthPx = 6.0, .minHolePx = 30.0}, 0.6).size();
+  };
+  EXPECT_EQ(count(4.0, LineFamily::Boundaries, Seen::Visible), 0u);  // 25 px round
+  EXPECT_EQ(count(6.0, LineFamily::Boundaries, Seen::Visible), 1u);  // 37 px
+  EXPECT_EQ(count(4.0, LineFamily::Boundaries, Seen::Outline), 1u);
+  EXPECT_EQ(count(4.0, LineFamily::Creases, Seen::Visible), 1u);
+}
+
 TEST(Strokes, ShortOnesHaveToBeStrong) {
   // A unit of 2: strength 4 weighs twice the length, 9 no more than three times.
   const auto kept = [](float strength, double length) {
