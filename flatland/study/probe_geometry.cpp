@@ -36,12 +36,13 @@ std::optional<double> screenTurnAt(const Terms& terms) {
   return terms.k / std::abs(terms.nw);
 }
 
-std::optional<double> termRatioAt(const Terms& terms) {
+std::optional<double> termRatioAt(const Terms& terms, double size) {
+  const double natural = terms.k * terms.k + 1.0 / (size * size);  // of k'
+  if (!(std::abs(terms.nw) > kSilhouetteNw)) return std::nullopt;
+  if (!(std::abs(terms.kPrime) > kZero * natural)) return std::nullopt;
   // k cancels, so an inflection is no 0 / 0.
-  const double feature = std::abs(terms.nw * terms.kPrime);
-  const double offset = terms.k * terms.k * std::abs(terms.tw);
-  if (!(feature > kZero * terms.k * terms.k)) return std::nullopt;
-  return offset / feature;
+  const double ratio = terms.k * terms.k * std::abs(terms.tw) / std::abs(terms.nw * terms.kPrime);
+  return std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
 }
 
 std::optional<OsculatingCircle> osculatingCircle(const Jet& jet, double largest) {

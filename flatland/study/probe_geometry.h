@@ -21,9 +21,10 @@ std::optional<double> lambdaAt(const Terms& terms);
 /// nullopt at a silhouette.
 std::optional<double> screenTurnAt(const Terms& terms);
 
-/// |offset| / |feature|, 0 at an inflection. nullopt where the feature term is 0 to rounding: at a
-/// silhouette, where k is extreme, on a straight piece.
-std::optional<double> termRatioAt(const Terms& terms);
+/// |offset| / |feature|, 0 at an inflection. nullopt where the feature term is 0 to rounding on a
+/// curve of size `size` (> 0, length): at a silhouette (kSilhouetteNw), where k is extreme, on a
+/// straight piece.
+std::optional<double> termRatioAt(const Terms& terms, double size);
 
 /// The circle that touches the curve to second order.
 struct OsculatingCircle {

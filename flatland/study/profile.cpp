@@ -9,6 +9,7 @@
 
 #include "flatland/curve/arc_length.h"
 #include "flatland/features/orientation.h"
+#include "flatland/study/probe_geometry.h"
 
 namespace flatland {
 
@@ -189,8 +190,6 @@ class Profiler {
     sample.feature = terms.feature;
     sample.offset = terms.offset;
     sample.perspective = terms.perspective;
-    // k cancels: at an inflection both terms are 0 and their ratio is a plain 0.
-    sample.ratio = terms.k * terms.k * std::abs(terms.tw) / std::abs(terms.nw * terms.kPrime);
     if (size_ > 0.0) withoutRounding(sample);
     if (scaled_) node.channels = channelsOf(sample);
     return node;
@@ -209,6 +208,12 @@ class Profiler {
         if (known->what == Degenerate::What::StraightEndOn) s.lambda.reset();
       }
     }
+    Terms terms{};
+    terms.k = s.k;
+    terms.kPrime = s.kPrime;
+    terms.nw = s.nw;
+    terms.tw = s.tw;
+    s.ratio = termRatioAt(terms, size_);
     const bool silhouette = isMark(s.t, [](MarkKind kind) { return kind == MarkKind::Silhouette; });
     if (std::abs(s.nw) <= (silhouette ? kZeroAtMark : kZero)) {
       s.lambda.reset();
@@ -218,8 +223,7 @@ class Profiler {
       return kind == MarkKind::Ridge || kind == MarkKind::Valley || kind == MarkKind::Flat;
     });
     const double natural = s.k * s.k + 1.0 / (size_ * size_);
-    if (std::abs(s.kPrime) <= (extremum ? kZeroAtMark : kZero) * natural) s.ratio.reset();
-    if (s.ratio && !std::isfinite(*s.ratio)) s.ratio.reset();
+    if (extremum && std::abs(s.kPrime) <= kZeroAtMark * natural) s.ratio.reset();
   }
 
   Channels channelsOf(const ProfileSample& s) const {

@@ -188,6 +188,35 @@ TEST(FlatFigure, EveryDefaultMarkIsOnCurveAndScreen) {
   EXPECT_GE(checked, 8) << "the default scene shows every kind";
 }
 
+TEST(FlatFigure, CrowdedLettersAreThinnedOut) {
+  // Twenty-five small copies of the default curve, as a drawing of many strokes has them.
+  Scene crowd = defaultScene();
+  const SceneCurve one = crowd.curves.front();
+  crowd.curves.clear();
+  for (int i = 0; i < 25; ++i) {
+    crowd.curves.push_back(one);
+    crowd.curves.back().shape = translated(one.shape, Vec2(2.2 * (i % 5), 2.4 * (i / 5)));
+  }
+  const Figure figure = figureOf(crowd, {.width = 320.0, .height = 240.0, .legend = false});
+  std::vector<Vec2> letters;
+  for (const FigureGroup& group : figure.groups) {
+    for (const Shape& shape : group.shapes) {
+      if (const auto* text = std::get_if<TextShape>(&shape)) letters.push_back(text->position);
+    }
+  }
+  EXPECT_GT(letters.size(), 10u);
+  EXPECT_LT(letters.size(), 25u * 12u / 2u) << "there are about twelve marks on each";
+  int covered = 0;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec2 apart = (letters[i] - letters[j]).cwiseAbs();
+      if (apart.x() < 6.0 && apart.y() < 9.0) ++covered;
+    }
+  }
+  // Letters beside the screen know nothing of those at the curves.
+  EXPECT_LE(covered, static_cast<int>(letters.size()) / 10);
+}
+
 TEST(FlatFigure, LettersStandTwiceForEachMark) {
   const Scene scene = defaultScene();
   const Figure figure = figureOf(scene);

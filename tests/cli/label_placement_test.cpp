@@ -17,6 +17,23 @@ double cost(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
+TEST(PlaceFree, LeavesOutWhereAnyPlaceCoversSomething) {
+  LabelPlacer placer;
+  const Vec2 half(4.5, 6.0), left(-1.0, 0.0);
+  // As many as have room stand clear of each other; then there is none, and nothing is blocked.
+  std::vector<Vec2> placed;
+  while (const auto at = placer.placeFree(Vec2::Zero(), half, left)) {
+    for (const Vec2& other : placed) {
+      EXPECT_GE(((*at - other).cwiseAbs() - 2.0 * half).maxCoeff(), -1e-12);
+    }
+    placed.push_back(*at);
+    ASSERT_LT(placed.size(), 50u);
+  }
+  EXPECT_GE(placed.size(), 4u);
+  EXPECT_FALSE(placer.placeFree(Vec2::Zero(), half, left));
+  EXPECT_TRUE(placer.placeFree(Vec2(200.0, 0.0), half, left)) << "elsewhere there is room";
+}
+
 TEST(SpreadApart, LeavesWhatIsFarEnough) {
   EXPECT_TRUE(spreadApart({}, 10.0).empty());
   EXPECT_EQ(spreadApart({7.0}, 10.0), std::vector<double>{7.0});

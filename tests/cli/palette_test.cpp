@@ -78,12 +78,9 @@ TEST(Palettes, FamiliesStayApartInEveryKindOfColourBlindness) {
           const MarkStyle& first = styleOf(a, ground.palette);
           const MarkStyle& second = styleOf(b, ground.palette);
           EXPECT_NE(first.symbol, second.symbol);  // colour is never the only difference
-          // A maximum and a minimum of the same thing share its colour and differ in filling and
-          // dash.
-          if (first.colour == second.colour) {
-            EXPECT_NE(first.dash, second.dash) << nameOf(a) << " " << nameOf(b);
-            continue;
-          }
+          EXPECT_NE(first.dash, second.dash) << nameOf(a) << " " << nameOf(b);
+          // A maximum and a minimum of the same thing share its colour and differ in filling.
+          if (first.colour == second.colour) continue;
           const double distance = (labOf(vision.seen * linear(first.colour)) -
                                    labOf(vision.seen * linear(second.colour)))
                                       .norm();

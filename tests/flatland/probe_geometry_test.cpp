@@ -89,17 +89,17 @@ TEST(ProbeValues, HaveNoneWhereTheyAreInfinite) {
   const Terms aside = termsAt(vertex, frameOf({0.0, std::nullopt}), 1);
   EXPECT_FALSE(lambdaAt(aside));
   EXPECT_FALSE(screenTurnAt(aside));
-  EXPECT_FALSE(termRatioAt(aside));
+  EXPECT_FALSE(termRatioAt(aside, 2.0));
   const Terms headOn = termsAt(vertex, frameOf({90.0, std::nullopt}), 1);
   EXPECT_NEAR(*lambdaAt(headOn), 4.0, 1e-14);
   EXPECT_NEAR(*screenTurnAt(headOn), headOn.k, 1e-14);
-  EXPECT_FALSE(termRatioAt(headOn)) << "k is extreme: the feature term is 0";
+  EXPECT_FALSE(termRatioAt(headOn, 2.0)) << "k is extreme: the feature term is 0";
   const Terms beside =
       termsAt(jetAt(Bezier{{{-1, 1}, {0, -1}, {1, 1}}}, 0.75), frameOf({90.0, std::nullopt}), 1);
-  EXPECT_NEAR(*termRatioAt(beside), 1.0 / 3.0, 1e-14);  // a parabola's, everywhere
+  EXPECT_NEAR(*termRatioAt(beside, 2.0), 1.0 / 3.0, 1e-14);  // a parabola's, everywhere
   const Terms straight =
       termsAt(jetAt(Bezier{{{0, 0}, {1, 2}}}, 0.5), frameOf({0.0, std::nullopt}), 1);
-  EXPECT_FALSE(termRatioAt(straight));
+  EXPECT_FALSE(termRatioAt(straight, 2.0));
   EXPECT_EQ(*lambdaAt(straight), 0.0);
 }
 

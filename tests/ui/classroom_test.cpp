@@ -3,8 +3,12 @@
 // is remembered of them.
 #include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStatusBar>
+#include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -16,6 +20,7 @@
 #include "ui/commands/scene_commands.h"
 #include "ui/model/core_words.h"
 #include "ui/model/theme.h"
+#include "ui/plot/sweep_panel.h"
 
 namespace flatland::ui {
 
@@ -213,6 +218,46 @@ class ClassroomTest : public QObject {
     }
   }
 
+  void everythingGrowsInTheProjectorAndShrinksAgain() {
+    WindowDriver driver;
+    driver.window().resize(1280, 800);
+    driver.settle();
+    auto& table = driver.child<QTableView>("marks.table");
+    auto& title = driver.child<QLabel>("legend.title");
+    const int row = table.rowHeight(0), letters = title.fontMetrics().height();
+    const int height = title.height();
+    driver.canvasKey(Qt::Key_F11);
+    QVERIFY(title.fontMetrics().height() > 1.3 * letters);
+    QVERIFY(title.height() > 1.3 * height);
+    driver.canvasKey(Qt::Key_F11);
+    driver.settle();
+    QCOMPARE(table.rowHeight(0), row);
+    QCOMPARE(title.fontMetrics().height(), letters);
+  }
+
+  // On a wall of 1280 by 800 nothing needs scrolling sideways.
+  void panelsAndKeySheetFitIntoTheProjector() {
+    WindowDriver driver;
+    driver.window().display().setProjector(true);
+    driver.window().resize(1280, 800);
+    for (const char* id : {"sweep", "study", "limits", "plots"}) {
+      auto& dock = driver.child<QDockWidget>(id);
+      dock.show();
+      dock.raise();
+      driver.window().resizeDocks({&dock}, {400}, Qt::Horizontal);
+      driver.settle();
+      const auto* area = qobject_cast<QScrollArea*>(dock.widget());
+      QVERIFY2(area->horizontalScrollBar()->maximum() == 0, id);
+    }
+    driver.trigger("help.keys");
+    auto* sheet = driver.window().findChild<QScrollArea*>("keys.sheet");
+    QVERIFY(sheet && sheet->isVisible());
+    QVERIFY(sheet->window()->width() <= 1280);
+    QCOMPARE(sheet->horizontalScrollBar()->maximum(), 0);
+    sheet->window()->close();
+    driver.window().display().setProjector(false);
+  }
+
   void aWheelZoomsAndTwoFingersPan() {
     WindowDriver driver;
     Viewport& viewport = driver.window().viewport();
@@ -334,6 +379,52 @@ class ClassroomTest : public QObject {
           QVERIFY2(coreWords(parameter.meaning) != QString::fromStdString(parameter.meaning),
                    parameter.meaning.c_str());
         }
+      }
+      // So are sentences with values in them.
+      for (const auto& [english, german] :
+           {std::pair{"degree 30 is above 25, the highest supported",
+                      "Grad 30 liegt über 25, dem höchsten erlaubten"},
+            {"\"q\" is not known: there is no such function",
+             "\"q\" ist unbekannt: eine solche Funktion gibt es nicht"},
+            {"expected a number, found a string", "erwartet: eine Zahl, gefunden: ein Text"},
+            {"100% of %1 is strange", "100% of %1 is strange"}}) {
+        QCOMPARE(coreWords(english), QString(german));
+      }
+      QFile broken(driver.path("broken.json"));
+      QVERIFY(broken.open(QIODevice::WriteOnly));
+      broken.write("{\"flatland\": 1, \"curves\": [{\"bezier\": [[0, \"x\"], [1, 0]]}]}");
+      broken.close();
+      driver.window().files().openFile(broken.fileName());
+      const QString said = driver.child<QLabel>("message.text").text();
+      QVERIFY2(said.endsWith("curves[0].bezier[0][1]: erwartet: eine Zahl, gefunden: ein Text"),
+               qPrintable(said));
+      driver.window().files().openFile(driver.path("none.json"));
+      QVERIFY(driver.child<QLabel>("message.text").text().contains("ist nicht lesbar"));
+      // So are the diagrams, and no panel needs scrolling sideways.
+      driver.window().resize(1280, 800);
+      for (const char* id : {"sweep", "study", "limits", "plots"}) {
+        auto& dock = driver.child<QDockWidget>(id);
+        dock.raise();
+        driver.settle();
+        const auto* area = qobject_cast<QScrollArea*>(dock.widget());
+        QVERIFY(area && area->isVisible());
+        QVERIFY2(area->horizontalScrollBar()->maximum() == 0, id);
+      }
+      auto& sweep = *driver.window().findChild<SweepPanel*>();
+      driver.child<QDockWidget>("sweep").raise();
+      QTRY_VERIFY(sweep.source().data() && !sweep.source().isStale());
+      std::string words;
+      for (const FigureGroup& group : sweep.view().figureForFile().groups) {
+        for (const auto& shape : group.shapes) {
+          if (const auto* text = std::get_if<TextShape>(&shape)) words += text->text + ";";
+        }
+      }
+      for (const char* german :
+           {"Bogenlänge", "Blickrichtung", "Wendepunkte", "Scheinbare Grate"}) {
+        QVERIFY2(words.find(german) != std::string::npos, german);
+      }
+      for (const char* english : {"arc length", "view direction", "Inflection", "ridge"}) {
+        QVERIFY2(words.find(english) == std::string::npos, english);
       }
       // So do the lessons.
       driver.trigger("lesson.shipped.silhouette");

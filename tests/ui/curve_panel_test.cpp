@@ -8,6 +8,7 @@
 #include <QUndoStack>
 
 #include "tests/ui/support_window.h"
+#include "ui/commands/scene_commands.h"
 #include "ui/panels/marked_slider.h"
 
 namespace flatland::ui {
@@ -21,6 +22,9 @@ class CurvePanelTest : public QObject {
   void aTypedNumberSetsAParameter();
   void theEllipseMarksItsBifurcation();
   void aFormulaIsTypedAndItsErrorsAreSaid();
+  void whatMakesNoSenseInTheEndIsNoStep();
+  void anErrorOfTheDomainStandsUnderTheEndThatWasTyped();
+  void aNewCurveIsProbedSelectedAndInView();
   void weightsAreTyped();
   void aCurveWithoutPointsIsDraggedAsAWhole();
   void aDoubleClickAddsAKnot();
@@ -140,12 +144,85 @@ void CurvePanelTest::aFormulaIsTypedAndItsErrorsAreSaid() {
   // The curve is that of the last text that could be read.
   QCOMPARE(QString::fromStdString(formula(d).typed()->x).trimmed(), QString("2*cos(t)"));
   QCOMPARE(x.text(), QString("2*cos(t) +"));  // what was typed stays
+  type(x, "2*cos(t)");
   type(d.child<QLineEdit>("curve.formula.constants"), "a = x");
   QVERIFY(d.child<QLabel>("curve.error.constants").isVisible());
+  QCOMPARE(d.document().undoStack().index(), steps + 1);
   d.document().undoStack().undo();
   QCOMPARE(d.document().undoStack().index(), steps);
   QVERIFY(x.text().contains("a*cos(3*t)"));
   QVERIFY(!error.isVisible());
+}
+
+void CurvePanelTest::whatMakesNoSenseInTheEndIsNoStep() {
+  WindowDriver d;
+  d.trigger("curve.new.formula");
+  auto& x = d.child<QLineEdit>("curve.formula.x");
+  const std::string before = formula(d).typed()->x;
+  const int steps = d.document().undoStack().count();
+  // Half of it, "2", is a formula too: a preview, until it is known what was meant.
+  type(x, "2*q(t)");
+  QVERIFY(d.child<QLabel>("curve.error.x").isVisible());
+  QTest::keyClick(&x, Qt::Key_Return);
+  d.settle();
+  QCOMPARE(formula(d).typed()->x, before);
+  QCOMPARE(d.document().undoStack().count(), steps);
+  QCOMPARE(x.text(), QString("2*q(t)"));  // to be mended
+  QVERIFY(d.child<QLabel>("curve.error.x").isVisible());
+  type(x, "2*cos(t)");
+  QTest::keyClick(&x, Qt::Key_Return);
+  QCOMPARE(formula(d).typed()->x, std::string("2*cos(t)"));
+  QCOMPARE(d.document().undoStack().count(), steps + 1);
+  // Leaving the field counts as Return; a new word is a step of its own.
+  type(x, "3*cos(t) +");
+  d.child<QLineEdit>("curve.formula.y").setFocus();
+  d.settle();
+  QCOMPARE(formula(d).typed()->x, std::string("2*cos(t)"));
+  QCOMPARE(d.document().undoStack().count(), steps + 1);
+}
+
+void CurvePanelTest::anErrorOfTheDomainStandsUnderTheEndThatWasTyped() {
+  WindowDriver d;
+  d.trigger("curve.new.formula");
+  type(d.child<QLineEdit>("curve.formula.from"), "7");
+  QVERIFY(d.child<QLabel>("curve.error.from").isVisible());
+  QVERIFY(!d.child<QLabel>("curve.error.to").isVisible());
+  type(d.child<QLineEdit>("curve.formula.from"), "1");
+  QVERIFY(!d.child<QLabel>("curve.error.from").isVisible());
+  type(d.child<QLineEdit>("curve.formula.to"), "0");
+  QVERIFY(d.child<QLabel>("curve.error.to").isVisible());
+  QVERIFY(!d.child<QLabel>("curve.error.from").isVisible());
+}
+
+void CurvePanelTest::aNewCurveIsProbedSelectedAndInView() {
+  for (const double angle : {0.0, 90.0, 200.0}) {
+    WindowDriver d;
+    d.window().setGeometry(40, 40, 1280, 800);
+    d.document().push(std::make_unique<SetView>(d.document(), View{angle, std::nullopt}));
+    for (const char* kind : {"ellipse", "formula", "bezier"}) {
+      const Scene before = d.scene();
+      d.trigger((std::string("curve.new.") + kind).c_str());
+      const std::size_t index = d.scene().curves.size() - 1;
+      QVERIFY(d.window().probe().place());
+      QCOMPARE(d.window().probe().place()->curve, index);
+      QCOMPARE(*d.window().selection().currentCurve(), index);
+      QCOMPARE(*d.window().plots().curve(), index);
+      // Whole in view, and beside the others: their boxes do not meet.
+      const Bounds own = boundsOf(last(d)), others = boundsOf(before);
+      QVERIFY(d.canvas().rect().contains(d.at(own.low)));
+      QVERIFY(d.canvas().rect().contains(d.at(own.high)));
+      QVERIFY((own.low.array() > others.high.array()).any() ||
+              (own.high.array() < others.low.array()).any());
+    }
+    // Also where the curves before it have gone.
+    while (!d.scene().curves.empty()) d.trigger("curve.remove");
+    QVERIFY(!d.window().probe().place());
+    d.trigger("curve.new.circle");
+    QVERIFY(d.window().probe().place());
+    d.trigger("curve.new.sine");
+    d.trigger("edit.undo");
+    QVERIFY2(d.window().probe().place(), "where a curve is left");
+  }
 }
 
 void CurvePanelTest::weightsAreTyped() {

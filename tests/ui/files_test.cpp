@@ -16,6 +16,7 @@
 #include "flatland/io/scene_json.h"
 #include "tests/ui/support_window.h"
 #include "ui/app/app.h"
+#include "ui/commands/scene_commands.h"
 
 using namespace flatland;
 using namespace flatland::ui;
@@ -56,6 +57,28 @@ class FilesTest : public QObject {
     before_ = driver_->scene();
   }
   void cleanup() { driver_.reset(); }
+
+  void theQuestionSaysWhatTookThePlaceOfTheScene() {
+    WindowDriver& d = *driver_;
+    QString said;
+    const auto ask = [&] {
+      whenModal([&said](QWidget& dialog) {
+        auto* box = qobject_cast<QMessageBox*>(&dialog);
+        QVERIFY(box);
+        said = box->text();
+        QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+      });
+      QVERIFY(!d.window().close());
+    };
+    d.document().push(std::make_unique<ReplaceScene>(d.document(), presets()[2].scene,
+                                                     "Show Curve 7 of the Study"));
+    ask();
+    QVERIFY2(said.contains("took the place") && said.contains("Show Curve 7"), qPrintable(said));
+    d.document().undoStack().undo();
+    d.drag(d.atPoint(1), d.atPoint(1) + QPoint(30, 10));
+    ask();
+    QVERIFY2(said.startsWith("Save the changes to"), qPrintable(said));
+  }
 
   void saveAndReopen() {
     WindowDriver& d = *driver_;

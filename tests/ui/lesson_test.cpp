@@ -120,6 +120,39 @@ class LessonTest : public QObject {
     QVERIFY(d.window().display().families() == families);
   }
 
+  void undoLeadsToTheStepWhoseSceneComesBack() {
+    WindowDriver& d = *driver_;
+    const Scene own = d.scene();
+    const auto probe = d.window().probe().place();
+    LessonModel& lesson = d.window().lesson();
+    d.trigger("lesson.shipped.silhouette");
+    std::vector<int> shown;  // steps that brought a scene of their own
+    int steps = d.document().undoStack().count();
+    shown.push_back(0);
+    while (shown.size() < 3 && lesson.index() + 1 < lesson.count()) {
+      d.canvasKey(Qt::Key_PageDown);
+      if (d.document().undoStack().count() > steps) shown.push_back(lesson.index());
+      steps = d.document().undoStack().count();
+    }
+    QVERIFY(shown.size() >= 2);
+    const int last = shown.back();
+    const Scene scene = d.scene();
+    d.canvasKey(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(lesson.index(), last - 1);
+    QVERIFY(d.child<QLabel>("lesson.title").text().contains(QString("step %1 of").arg(last)));
+    d.trigger("edit.redo");
+    QCOMPARE(lesson.index(), last);
+    QVERIFY(d.scene() == scene);
+    // Below the first step there is the own scene, and the strip says so.
+    while (d.document().undoStack().canUndo()) d.trigger("edit.undo");
+    QVERIFY(d.scene() == own);
+    QVERIFY(d.window().probe().place() == probe);
+    QVERIFY(d.child<QLabel>("lesson.title").text().contains("your own scene"));
+    d.canvasKey(Qt::Key_PageDown);
+    QVERIFY(!d.child<QLabel>("lesson.title").text().contains("your own scene"));
+    QCOMPARE(lesson.index(), 1);
+  }
+
   void editsMadeInALessonAreNotLostAndNeitherIsOwnWork() {
     WindowDriver& d = *driver_;
     d.drag(d.atPoint(1), d.atPoint(1) + QPoint(30, 10));

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include <cmath>
 
 #include "flatland/features/terms.h"
+#include "flatland/io/limits_text.h"
 #include "tests/ui/support_window.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/plot/limits_panel.h"
@@ -160,6 +162,25 @@ class LimitsPanelTest : public QObject {
     d.document().push(std::make_unique<SetView>(d.document(), View{0.0, 9.0}));
     QVERIFY(!d.child<QSlider>("limits.slide").isEnabled());
     QVERIFY(d.child<QLabel>("limits.words").text().contains("perspective"));
+  }
+
+  // The file is what was shown when Export was pressed, whatever arrives while the dialog is open.
+  void exportsWhatWasShownWhileTheNextIsComputed() {
+    WindowDriver& d = *driver_;
+    const std::string shown = limitsToCsv({series()});
+    const QString name = d.path("limits.csv");
+    typeFileName(name, [this] {
+      Document& document = driver_->document();
+      document.push(std::make_unique<ReplaceScene>(document, presets()[2].scene, "other"));
+      QVERIFY(panel_->isStale());
+      QTRY_VERIFY(!panel_->isStale());
+    });
+    QTest::mouseClick(&d.child<QPushButton>("limits.export"), Qt::LeftButton);
+    ready();
+    QVERIFY(!panel_->view().series() || limitsToCsv({series()}) != shown);
+    QFile written(name);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(written.readAll(), QByteArray::fromStdString(shown));
   }
 
  private:

@@ -149,6 +149,41 @@ class PlotsTest : public QObject, private PlotsDriver {
     QCOMPARE(plots.range().width(), whole.width());
   }
 
+  void aWheelThatShallNotZoomDoesNot() {
+    WindowDriver& d = *driver_;
+    ProfilePlot& p = plot(PlotKind::Curvature);
+    const QPoint pointer(p.surface().width() / 2, p.surface().height() / 2);
+    d.trigger("view.wheel-zooms");  // off
+    const double before = d.window().plots().range().high - d.window().plots().range().low;
+    wheel(p, pointer, 240);
+    QCOMPARE(d.window().plots().range().high - d.window().plots().range().low, before);
+    d.trigger("view.wheel-zooms");
+    wheel(p, pointer, 240);
+    QVERIFY(d.window().plots().range().high - d.window().plots().range().low < before);
+  }
+
+  // In the heading, not over the lines.
+  void theScaleOfAnAxisIsSaidOutsideThePlot() {
+    QVERIFY(plot(PlotKind::Terms).drawing().heading().contains("asinh, linear to"));
+    QVERIFY(plot(PlotKind::Ratio).drawing().heading().endsWith("log"));
+    QVERIFY(!plot(PlotKind::Curvature).drawing().heading().contains("log"));
+  }
+
+  // The line of the ratio and the number beside it end at the same places.
+  void theRatioIsKnownToPlotAndPanelAlike() {
+    WindowDriver& d = *driver_;
+    const Plots& plots = d.window().plots();
+    int with = 0, without = 0;
+    for (const ProfileSample& sample : plots.profile().samples) {
+      const auto reading = Probe::readingAt(d.scene(), {0, sample.t});
+      QVERIFY(reading);
+      const auto value = Probe::valueOf(*reading, ProfileQuantity::Ratio);
+      if (sample.ratio) QVERIFY(value);
+      ++(sample.ratio ? with : without);
+    }
+    QVERIFY(with > 50 && without > 0);
+  }
+
   void againstTheScreen() {
     WindowDriver& d = *driver_;
     auto& against = d.child<QComboBox>("plots.against");

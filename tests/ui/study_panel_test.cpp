@@ -190,6 +190,33 @@ class StudyPanelTest : public QObject {
     QVERIFY(said.front().front().toString().contains("not of this study"));
   }
 
+  void progressIsShownWhileItRunsOnly() {
+    auto& progress = driver_->child<QProgressBar>("study.progress");
+    QVERIFY(!progress.isVisible());
+    setCurves(10000000);
+    click("study.run");
+    QVERIFY(progress.isVisible());
+    click("study.run");
+    QVERIFY(!progress.isVisible());
+  }
+
+  // The picture is of what was shown when Export was pressed, though more arrives meanwhile.
+  void exportsWhatWasShownWhileItRuns() {
+    setCurves(10000000);
+    click("study.run");
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->source().data(), kLongMs);
+    const std::shared_ptr<const StudyData> first = panel_->source().data();
+    const QString name = driver_->path("study.svg");
+    typeFileName(name, [this, first] {
+      QTRY_VERIFY_WITH_TIMEOUT(panel_->source().data()->summary.curves > first->summary.curves,
+                               kLongMs);
+    });
+    click("study.export");
+    click("study.run");
+    QVERIFY2(read(name).contains(QByteArray::number(first->summary.curves) + " curves"),
+             "the count that was shown");
+  }
+
   void closingWhileItRunsIsPrompt() {
     setCurves(10000000);
     click("study.run");

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "ui/app/main_window.h"
@@ -140,9 +141,11 @@ void whenModal(Deal deal) {
   timer->start();
 }
 
-/// Types a name into the file dialog that the next action opens, and accepts.
-inline void typeFileName(const QString& name) {
-  whenModal([name](QWidget& dialog) {
+/// Types a name into the file dialog that the next action opens, and accepts; before that, what
+/// happens while the dialog is open.
+inline void typeFileName(const QString& name, const std::function<void()>& meanwhile = {}) {
+  whenModal([name, meanwhile](QWidget& dialog) {
+    if (meanwhile) meanwhile();
     auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
     QVERIFY(edit);
     edit->setText(name);  // keys would open the list of completions, which takes Return

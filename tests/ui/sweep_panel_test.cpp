@@ -62,6 +62,67 @@ class SweepPanelTest : public QObject {
     QCOMPARE(angle(), 0.0);
   }
 
+  void aClickGoesExactlyThereAndUndoBringsBackTheProbeToo() {
+    WindowDriver& d = *driver_;
+    const double length = panel_->source().data()->lengths.at(0);
+    const auto before = d.window().probe().place();
+    QVERIFY(before);
+    const QPointF zero = *view().positionOf(0.0, 0, 0.0), ninety = *view().positionOf(90.0, 0, 0.0);
+    const double perPixel = 90.0 / (ninety.x() - zero.x());
+    const QPoint pixel = view().positionOf(47.6, 0, 0.55 * length)->toPoint();
+    const double there = (pixel.x() - zero.x()) * perPixel;
+    QVERIFY2(std::abs(there - std::round(there)) > 0.06, "a pixel that is no whole degree");
+    click(pixel);
+    QVERIFY2(std::abs(angle() - there) <= 0.06 * perPixel, qPrintable(QString::number(angle())));
+    QVERIFY(!(d.window().probe().place() == before));
+    const auto gone = d.window().probe().place();
+    d.document().undoStack().undo();
+    QVERIFY(d.window().probe().place() == before);
+    d.document().undoStack().redo();
+    QVERIFY(d.window().probe().place() == gone);
+    // Esc during a drag takes back both, without a step.
+    d.document().undoStack().undo();
+    press(pixel);
+    move(pixel + QPointF(30, 0), Qt::LeftButton);
+    QTest::keyClick(&view(), Qt::Key_Escape);
+    QVERIFY(d.window().probe().place() == before);
+    QCOMPARE(angle(), 0.0);
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, pixel);
+  }
+
+  // The diagram is still that of one curve, the probe already on another.
+  void aProbeThatTheOldDiagramDoesNotKnowIsLeftOut() {
+    WindowDriver& d = *driver_;
+    Scene many = d.scene();
+    many.curves.push_back(presets()[2].scene.curves.at(0));
+    d.document().push(std::make_unique<ReplaceScene>(d.document(), many, "many"));
+    d.window().probe().setPlace(Probe::Place{1, 0.5});
+    QVERIFY(panel_->source().isStale());
+    const QImage with = view().grab().toImage();
+    d.window().probe().setPlace(std::nullopt);
+    QVERIFY(panel_->source().isStale());
+    QVERIFY(view().grab().toImage() == with);
+    QTRY_VERIFY(!panel_->source().isStale());
+    const QImage without = view().grab().toImage();
+    d.window().probe().setPlace(Probe::Place{1, 0.5});
+    QVERIFY2(view().grab().toImage() != without, "on the new one it is shown");
+  }
+
+  // The file is what was shown when Export was pressed, whatever arrives while the dialog is open.
+  void exportsWhatWasShownWhileTheNextIsComputed() {
+    WindowDriver& d = *driver_;
+    const std::string shown = sweepToCsv(panel_->source().data()->sweep);
+    const QString name = d.path("shown.csv");
+    d.document().push(std::make_unique<ReplaceScene>(d.document(), presets()[2].scene, "other"));
+    QVERIFY(panel_->source().isStale());
+    typeFileName(name, [this] { QTRY_VERIFY(!panel_->source().isStale()); });
+    QTest::mouseClick(&d.child<QToolButton>("sweep.export"), Qt::LeftButton);
+    QVERIFY(sweepToCsv(panel_->source().data()->sweep) != shown);
+    QFile written(name);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(written.readAll(), QByteArray::fromStdString(shown));
+  }
+
   void clickOnABranchFindsItsMark() {
     WindowDriver& d = *driver_;
     const SweepBranch* ridge = nullptr;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/docks.h"
 
-#include <QDockWidget>
 #include <QScrollArea>
+
+#include "ui/app/dock_title.h"
 
 namespace flatland::ui {
 
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int kSideWidth = 400;
 constexpr int kBottomHeight = 190;
-constexpr int kTitleHeight = 26;  ///< of a dock, with the separator below it
+constexpr int kSeparatorHeight = 6;  ///< below a dock
 constexpr int kTabsHeight = 30;
 constexpr int kBarsHeight = 44;  ///< menu and status line
 
@@ -33,7 +34,7 @@ QScrollArea* scrolled(QWidget* panel) {
 
 int wantedHeight(const QDockWidget& dock) {
   return static_cast<const QScrollArea*>(dock.widget())->widget()->sizeHint().height() +
-         kTitleHeight;
+         dock.titleBarWidget()->sizeHint().height() + kSeparatorHeight;
 }
 
 }  // namespace
@@ -44,6 +45,7 @@ void Docks::add(const char* id, const QString& title, QWidget* panel, Group grou
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(id);
   dock->setAccessibleName(title);
+  dock->setTitleBarWidget(new DockTitle(*dock));
   dock->setWidget(scrolled(panel));
   window_.addDockWidget(areaOf(group), dock);
   all_ << dock;

@@ -8,6 +8,16 @@
 
 namespace flatland::ui {
 
+namespace {
+
+/// Back to the scene as it was started or opened.
+class Reset : public ReplaceScene {
+ public:
+  using ReplaceScene::ReplaceScene;
+};
+
+}  // namespace
+
 EditController::EditController(const CanvasModels& models, QObject* parent)
     : QObject(parent), models_(models) {}
 
@@ -32,13 +42,19 @@ void EditController::addCurve(const QString& kind) {
   add({.shape = newCurve(kind, models_.viewport.centre(), models_.stage.radius())});
 }
 
-void EditController::add(const SceneCurve& curve) {
+void EditController::add(SceneCurve curve) {
+  curve.shape = translated(curve.shape, models_.stage.besideTheOthers(curve.shape));
   models_.document.push(std::make_unique<AddCurve>(models_.document, curve));
   const std::size_t index = models_.document.scene().curves.size() - 1;
   std::set<PointRef> points;
   for (std::size_t i = 0; i < controlPoints(curve.shape).size(); ++i) points.insert({index, i});
   models_.selection.setPoints(std::move(points));
   models_.selection.setCurrentCurve(index);
+  models_.probe.setPlace(models_.probe.home(index));
+  if (!models_.viewport.holds(boundsOf(curve.shape))) {
+    models_.stage.renew();
+    models_.viewport.fit(models_.stage.fitBox());
+  }
 }
 
 void EditController::removeCurve() {
@@ -72,7 +88,7 @@ void EditController::flipNormal() {
 
 void EditController::reset() {
   models_.document.push(
-      std::make_unique<ReplaceScene>(models_.document, models_.document.origin(), tr("reset")));
+      std::make_unique<Reset>(models_.document, models_.document.origin(), tr("reset")));
 }
 
 void EditController::togglePerspective(bool on) {

@@ -31,7 +31,7 @@ class EditController : public QObject {
   void refused(const QString& reason);
 
  private:
-  void add(const SceneCurve& curve);
+  void add(SceneCurve curve);
 
   CanvasModels models_;
 };

@@ -57,24 +57,25 @@ void buildCurveMenu(QMenu& menu, const MenuParts& parts) {
   addAction(menu,
             {"curve.add",
              EditMenusWords::tr("&Add Curve"),
-             EditMenusWords::tr("Add a curve in the middle of the picture"),
+             EditMenusWords::tr("Add a curve beside those there are"),
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)}},
             [&edits] { edits.addCurve(); });
   QMenu& kinds = addSubmenu(menu, "curve.new", EditMenusWords::tr("&New"));
   for (const NewCurve& kind : newCurves()) {
     const QByteArray id = "curve.new." + kind.id.toLatin1();
-    addAction(kinds,
-              {id.constData(), kind.title,
-               EditMenusWords::tr("Add such a curve in the middle of the picture; the panel Curve "
-                                  "has its numbers")},
-              [&edits, id = kind.id, docks = parts.docks] {
-                edits.addCurve(id);
-                for (QDockWidget* dock : docks) {
-                  if (dock->objectName() != QLatin1String("curve")) continue;
-                  dock->show();
-                  dock->raise();
-                }
-              });
+    addAction(
+        kinds,
+        {id.constData(), kind.title,
+         EditMenusWords::tr("Add such a curve beside those there are; the panel Curve has its "
+                            "numbers")},
+        [&edits, id = kind.id, docks = parts.docks] {
+          edits.addCurve(id);
+          for (QDockWidget* dock : docks) {
+            if (dock->objectName() != QLatin1String("curve")) continue;
+            dock->show();
+            dock->raise();
+          }
+        });
   }
   ImportController& imports = parts.imports;
   addAction(menu,

@@ -107,7 +107,7 @@ Figure exportedFigure(const Document& document, const ExportSettings& settings) 
   FlatFigureOptions options = settings.figure;
   options.width = settings.widthPx;
   options.height = settings.heightPx;
-  options.words = [](const std::string& english) { return coreWords(english).toStdString(); };
+  options.words = wordsOfTheWindow();
   return flatFigure(document.scene(), document.features(), document.visibility(), options);
 }
 

@@ -7,12 +7,16 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSettings>
+#include <algorithm>
+#include <typeinfo>
 
 #include "flatland/io/input_error.h"
 #include "ui/app/message_bar.h"
-#include "ui/model/paths.h"
+#include "ui/commands/scene_commands.h"
 #include "ui/import/shown_svg.h"
+#include "ui/model/core_sentences.h"
 #include "ui/model/core_words.h"
+#include "ui/model/paths.h"
 
 namespace flatland::ui {
 
@@ -73,7 +77,7 @@ void FileController::openFile(const QString& name) {
     }
     remember(name);
   } catch (const InputError& error) {
-    messages_.showError(QString::fromStdString(error.what()));
+    messages_.showError(errorForPeople(error));
     if (!QFileInfo::exists(name)) forget(name);
   }
 }
@@ -105,7 +109,7 @@ bool FileController::saveTo(const QString& name) {
   try {
     document_.save(toPath(name));
   } catch (const InputError& error) {
-    messages_.showError(QString::fromStdString(error.what()));
+    messages_.showError(errorForPeople(error));
     return false;
   }
   messages_.hide();
@@ -113,16 +117,35 @@ bool FileController::saveTo(const QString& name) {
   return true;
 }
 
+namespace {
+
+/// The text of the last command since the scene was saved that put another in its place; empty if
+/// there is none. Lessons and Reset, which bring back what was there, are kinds of their own.
+QString whatReplacedIt(const QUndoStack& stack) {
+  for (int i = stack.index() - 1; i >= std::max(stack.cleanIndex(), 0); --i) {
+    const QUndoCommand* command = stack.command(i);
+    if (typeid(*command) == typeid(ReplaceScene)) return command->text();
+  }
+  return {};
+}
+
+}  // namespace
+
 bool FileController::mayDiscard() {
   if (!(hasUnsavedWork_ ? hasUnsavedWork_() : document_.isModified())) {
     emit aboutToUseFile();
     return true;
   }
+  // Another scene in the place of the one with that name is no change of it.
+  const QString replaced = whatReplacedIt(document_.undoStack());
   QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
-                  tr("Save the changes to %1?").arg(shownName(document_)),
+                  replaced.isEmpty() ? tr("Save the changes to %1?").arg(shownName(document_))
+                                     : tr("Save the scene that took the place of %1 (%2)?")
+                                           .arg(shownName(document_), replaced),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
   box.setObjectName("unsaved");
-  box.setInformativeText(tr("They are lost otherwise."));
+  box.setInformativeText(replaced.isEmpty() ? tr("They are lost otherwise.")
+                                            : tr("It is lost otherwise."));
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:

@@ -11,6 +11,7 @@
 #include <QPushButton>
 
 #include "flatland/io/input_error.h"
+#include "ui/model/core_words.h"
 
 namespace flatland::ui {
 
@@ -113,7 +114,7 @@ void GlyphDialog::refresh() {
     imported = glyphScene(name());
     message = QString::fromStdString(imported.note());
   } catch (const InputError& error) {
-    message = QString::fromStdString(error.reason());
+    message = coreWords(error.reason());
   }
   outline_->show(imported.scene);
   message_->setText(message);

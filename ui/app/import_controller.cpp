@@ -9,6 +9,7 @@
 #include "ui/app/message_bar.h"
 #include "ui/commands/curve_commands.h"
 #include "ui/import/shown_svg.h"
+#include "ui/model/core_sentences.h"
 
 namespace flatland::ui {
 
@@ -28,7 +29,7 @@ void ImportController::importSvgFile(const QString& name) {
   try {
     add(loadSvgToShow(name), tr("import %1").arg(QFileInfo(name).fileName()));
   } catch (const InputError& error) {
-    messages_.showError(QString::fromStdString(error.what()));
+    messages_.showError(errorForPeople(error));
   }
 }
 
@@ -39,7 +40,7 @@ void ImportController::importGlyph() {
   try {
     add(glyphScene(glyph_), tr("import glyph"));
   } catch (const InputError& error) {
-    messages_.showError(QString::fromStdString(error.what()));
+    messages_.showError(errorForPeople(error));
   }
 }
 

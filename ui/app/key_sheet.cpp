@@ -18,6 +18,8 @@ namespace flatland::ui {
 
 namespace {
 
+constexpr int kBesidePx = 60;  // margins and scroll bar
+
 struct Line {
   QString keys, effect;
 };
@@ -117,8 +119,19 @@ KeySheet::KeySheet(QMainWindow* window) : QDialog(window) {
   auto* sheet = new QWidget;
   auto* columns = new QHBoxLayout(sheet);
   columns->setSpacing(28);
-  for (const std::vector<Section>& column : columnsOf(*window)) {
-    columns->addWidget(makeColumn(column));
+  // As many beside each other as the window has room for, the rest below.
+  const int room = window->width() - kBesidePx;
+  QVBoxLayout* last = nullptr;
+  int used = 0;
+  for (const std::vector<Section>& sections : columnsOf(*window)) {
+    QWidget* column = makeColumn(sections);
+    const int wide = column->sizeHint().width() + columns->spacing();
+    if (!last || used + wide <= room) {
+      last = new QVBoxLayout;
+      columns->addLayout(last);
+      used += wide;
+    }
+    last->addWidget(column);
   }
   auto* area = new QScrollArea(this);
   area->setObjectName("keys.sheet");
@@ -135,8 +148,8 @@ KeySheet::KeySheet(QMainWindow* window) : QDialog(window) {
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(area);
   layout->addWidget(buttons);
-  const QSize wanted = sheet->sizeHint() + QSize(40, 80);
-  resize(wanted.boundedTo({1240, 740}));
+  const QSize wanted = sheet->sizeHint() + QSize(kBesidePx, 80);
+  resize(wanted.boundedTo(window->size() - QSize(8, 40)));
 }
 
 void KeySheet::keyPressEvent(QKeyEvent* event) {

@@ -48,7 +48,7 @@ Layouts::Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& 
       pictureBar_(pictureBar),
       leave_(new QToolButton(window.statusBar())) {
   leave_->setObjectName("projector.leave");
-  leave_->setText(tr("Esc leaves projector mode"));
+  leave_->setText(tr("Esc: leave"));
   leave_->setToolTip(tr("Back to the window as it was (Esc or F11)"));
   connect(leave_, &QToolButton::clicked, this, [this] { use(beforeProjector_); });
   window.statusBar()->addPermanentWidget(leave_);

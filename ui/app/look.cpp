@@ -14,6 +14,8 @@ namespace flatland::ui {
 
 namespace {
 
+constexpr int kRowGapPx = 6;  // between the lines of a table
+
 /// The colours a theme sets; the rest of a palette follows from them.
 struct ThemeColours {
   QColor window, base, alternate, text, button, highlight, highlightedText, link, faint;
@@ -111,10 +113,7 @@ Look::Look(const Display& display, QObject* parent)
 }
 
 Look::~Look() {
-  if (scale_ != 1.0) {
-    QApplication::setFont(font_);
-    QApplication::setFont(font_, "QDockWidgetTitle");
-  }
+  if (scale_ != 1.0) QApplication::setFont(font_);
   if (theme_ == Display::Theme::System) return;
   QApplication::setStyle(systemStyle_);
   QApplication::setPalette(system_);
@@ -142,7 +141,6 @@ void Look::apply() {
   const double factor = scale / scale_;
   scale_ = scale;
   QApplication::setFont(font);
-  QApplication::setFont(font, "QDockWidgetTitle");
   scaleTables(factor);
 }
 
@@ -151,7 +149,9 @@ void Look::scaleTables(double factor) {
     auto* table = qobject_cast<QTableView*>(widget);
     if (!table) continue;
     QHeaderView& rows = *table->verticalHeader();
-    rows.setDefaultSectionSize(qRound(rows.defaultSectionSize() * factor));
+    // From the type, not by the factor: a header keeps its rows as high as its type once was.
+    rows.setMinimumSectionSize(1);
+    rows.setDefaultSectionSize(table->fontMetrics().height() + kRowGapPx);
     QHeaderView& columns = *table->horizontalHeader();
     for (int i = 0; i < columns.count(); ++i) {
       if (columns.sectionResizeMode(i) == QHeaderView::Interactive) {

@@ -24,6 +24,7 @@
 #include "ui/app/panels.h"
 #include "ui/model/paths.h"
 #include "ui/app/status_line.h"
+#include "ui/model/core_sentences.h"
 
 namespace flatland::ui {
 
@@ -169,7 +170,11 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::showKeys() {
-  if (!keys_) keys_ = new KeySheet(this);
+  // Anew: the window may have another width, the type another size.
+  if (!keys_ || !keys_->isVisible()) {
+    delete keys_;
+    keys_ = new KeySheet(this);
+  }
   keys_->show();
   keys_->raise();
   keys_->activateWindow();
@@ -205,7 +210,7 @@ void MainWindow::exportFigure() {
   try {
     exportTo(toPath(name), document_, settings);
   } catch (const InputError& error) {
-    messages_->showError(QString::fromStdString(error.what()));
+    messages_->showError(errorForPeople(error));
     return;
   }
   messages_->hide();

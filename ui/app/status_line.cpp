@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QLabel>
 #include <QMenu>
-#include <QPainter>
 #include <QStatusBar>
 #include <QToolButton>
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "flatland/features/orientation.h"
 #include "ui/model/core_words.h"
 #include "ui/model/mark_words.h"
+#include "ui/panels/elided_label.h"
 
 namespace flatland::ui {
 
@@ -21,26 +21,11 @@ namespace {
 constexpr int kSayMilliseconds = 6000;
 constexpr std::size_t kPlacesListed = 30;
 
-/// Text that ends in dots where there is no room for all of it.
-class ElidedLabel : public QLabel {
- public:
-  using QLabel::QLabel;
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft,
-                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
-  }
-};
-
 }  // namespace
 
 StatusLine::StatusLine(QStatusBar& bar, const Document& document)
     : QObject(&bar), bar_(bar), document_(document), hint_(new ElidedLabel(&bar)) {
   hint_->setObjectName("status.hint");
-  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // never widens the window
   bar.addWidget(hint_, 1);
   pointer_ = addField("status.pointer", tr("Where the pointer is"));
   view_ = addField("status.view", tr("Direction, and in perspective distance, of the viewer"));
@@ -92,10 +77,14 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 
 void StatusLine::setFewFields(bool few) {
   pointer_->setVisible(!few);
+  view_->setVisible(!few);
   time_->setVisible(!few);
 }
 
-void StatusLine::showHint(const QString& text) { hint_->setText(text); }
+void StatusLine::showHint(const QString& text) {
+  hint_->setText(text);
+  hint_->setToolTip(text);
+}
 
 void StatusLine::say(const QString& text) { bar_.showMessage(text, kSayMilliseconds); }
 

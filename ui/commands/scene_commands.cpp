@@ -25,6 +25,12 @@ bool SetView::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
+void SetViewAndProbe::swapPlace() {
+  const std::optional<Probe::Place> now = probe_.place();
+  probe_.setPlace(place_);
+  place_ = now;
+}
+
 ReplaceScene::ReplaceScene(Document& document, Scene scene, const QString& text)
     : QUndoCommand(text), document_(document), scene_(std::move(scene)) {
   setObsolete(scene_ == document_.scene());

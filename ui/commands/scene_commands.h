@@ -5,6 +5,7 @@
 #include <QUndoCommand>
 
 #include "ui/model/document.h"
+#include "ui/model/probe.h"
 
 namespace flatland::ui {
 
@@ -25,6 +26,29 @@ class SetView : public QUndoCommand {
   Document& document_;
   View view_;
   int gesture_;
+};
+
+/// The same, with the probe put at a place of the curves there are.
+class SetViewAndProbe : public SetView {
+ public:
+  SetViewAndProbe(Document& document, const View& view, Probe& probe, const Probe::Place& place,
+                  int gesture = 0)
+      : SetView(document, view, gesture), probe_(probe), place_(place) {}
+
+  void undo() override {
+    SetView::undo();
+    swapPlace();
+  }
+  void redo() override {
+    SetView::redo();
+    swapPlace();
+  }
+
+ private:
+  void swapPlace();
+
+  Probe& probe_;
+  std::optional<Probe::Place> place_;
 };
 
 /// Exchanges the whole scene, as Reset to preset does. Obsolete from the start if it is the same.

@@ -3,8 +3,10 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "ui/export/figure.h"
+#include "ui/export/figure_words.h"
 #include "ui/export/mark_style.h"
 
 // What the diagrams share; not for others.
@@ -13,8 +15,9 @@ namespace flatland::ui {
 /// Puts a diagram together: groups in the order of drawing, lines and words in its colours.
 class FigureBuilder {
  protected:
-  FigureBuilder(double width, double height, Palette palette, double textPx)
-      : colours_(sceneColours(palette)), textPx_(textPx) {
+  FigureBuilder(double width, double height, Palette palette, double textPx,
+                const FigureWords& words)
+      : colours_(sceneColours(palette)), textPx_(textPx), words_(words) {
     figure_.width = width;
     figure_.height = height;
     figure_.background = colours_.background;
@@ -37,6 +40,11 @@ class FigureBuilder {
     to.shapes.emplace_back(TextShape{at, text, textPx_, colours_.text, anchor, false});
   }
 
+  /// The English in the reader's language (inWords).
+  std::string say(const std::string& english, const std::vector<std::string>& values = {}) const {
+    return inWords(words_, english, values);
+  }
+
   Stroke gridStroke() const {
     return {.colour = paler(colours_.faint, colours_.background), .width = 0.7};
   }
@@ -44,6 +52,7 @@ class FigureBuilder {
 
   const SceneColours& colours_;
   double textPx_;
+  const FigureWords& words_;
   Figure figure_;
 };
 

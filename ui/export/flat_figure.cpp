@@ -22,6 +22,9 @@ constexpr double kScreenSymbolPx = 6.5;
 constexpr double kLetterOffPx = 16.0;      // of the letters from the screen
 constexpr double kRidgeOvershootPx = 8.0;  // of an apparent ridge's line beyond the screen
 const Vec2 kLetterHalf(4.5, 6.0);
+// With more marks than this in the figure, as in a drawing of many strokes, a letter is left out
+// where it would cover another letter or a symbol.
+constexpr std::size_t kLetteredMarks = 40;
 constexpr double kTolerancePx = 0.02;  // of cubics standing for other curves
 
 // From the bottom to the top.
@@ -379,17 +382,39 @@ class Builder {
     }
     // What is seen takes the best places.
     std::stable_partition(marks.begin(), marks.end(), [](const Mark* m) { return m->visible; });
+    const bool crowded = marks.size() > kLetteredMarks;
     for (const Mark* mark : marks) {
-      const Vec2 place = placer.place(toFigure_(mark->point), kLetterHalf, -towards_);
-      group(Layer::Letters, *mark).shapes.emplace_back(letterOf(*mark, place));
+      const Vec2 at = toFigure_(mark->point);
+      const auto place = crowded ? placer.placeFree(at, kLetterHalf, -towards_)
+                                 : std::optional(placer.place(at, kLetterHalf, -towards_));
+      if (place) group(Layer::Letters, *mark).shapes.emplace_back(letterOf(*mark, *place));
     }
   }
 
-  void addLettersAtScreen() {
-    struct Letter {
-      const Mark* mark;
-      double at;  // px along the screen
+  struct Letter {
+    const Mark* mark;
+    double at;  // px along the screen
+  };
+
+  /// Leaves, of letters nearer than `gap` to each other, the first of its family in the legend.
+  static void thinOut(std::vector<Letter>& letters, double gap) {
+    const auto& order = markKindsInLegendOrder();
+    const auto rank = [&order](const Letter& letter) {
+      return std::find(order.begin(), order.end(), letter.mark->kind) - order.begin();
     };
+    std::stable_sort(letters.begin(), letters.end(),
+                     [&](const Letter& a, const Letter& b) { return rank(a) < rank(b); });
+    std::vector<Letter> kept;
+    for (const Letter& letter : letters) {
+      const bool isFree = std::none_of(kept.begin(), kept.end(), [&](const Letter& other) {
+        return std::abs(other.at - letter.at) < gap;
+      });
+      if (isFree) kept.push_back(letter);
+    }
+    letters = std::move(kept);
+  }
+
+  void addLettersAtScreen() {
     std::vector<Letter> letters;
     const double unit = toFigure_.scale;
     for (const Mark& mark : features_.marks) {
@@ -402,10 +427,12 @@ class Builder {
     const double gap = std::min(2.0 * kLetterHalf.x() / std::max(std::abs(axis_.x()), 1e-9),
                                 2.0 * kLetterHalf.y() / std::max(std::abs(axis_.y()), 1e-9)) +
                        1.0;
-    // Where they do not all fit beside the screen, those of hidden marks go; the others spill over.
-    if (static_cast<double>(letters.size()) * gap > (screen_.high - screen_.low) * unit) {
-      std::erase_if(letters, [](const Letter& l) { return !l.mark->visible; });
-    }
+    // Where they do not all fit beside the screen, those of hidden marks go; the others spill over,
+    // unless there are very many.
+    const double room = (screen_.high - screen_.low) * unit;
+    const auto fit = [&] { return static_cast<double>(letters.size()) * gap <= room; };
+    if (!fit()) std::erase_if(letters, [](const Letter& l) { return !l.mark->visible; });
+    if (!fit() && letters.size() > kLetteredMarks) thinOut(letters, gap);
     std::stable_sort(letters.begin(), letters.end(),
                      [](const Letter& a, const Letter& b) { return a.at < b.at; });
     std::vector<double> wanted;

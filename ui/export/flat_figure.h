@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
 #include "flatland/features/features.h"
 #include "flatland/screen/visibility.h"
 #include "ui/export/figure.h"
+#include "ui/export/figure_words.h"
 #include "ui/export/mark_style.h"
 
 namespace flatland::ui {
@@ -43,8 +43,7 @@ struct FlatFigureOptions {
   bool letters = true;
   bool legend = true;
   bool transparent = false;
-  /// Turns the legend's English into the reader's language; empty: as it is.
-  std::function<std::string(const std::string&)> words;
+  FigureWords words;  ///< of the legend
 };
 
 /// The screen as it is drawn: the points s axis + offset towards of the view's frame, s from `low`
@@ -73,8 +72,9 @@ FigureTransform fittedTransform(const Scene& scene, const FlatFigureOptions& opt
 /// letters on both, projecting lines. `features` and `visibility` must be those of `scene`.
 /// Groups from below: control-polygon, rays-<kind>[-hidden], sight, curve-hidden, curve, screen,
 /// image, marks-<kind>[-hidden], letters-<kind>[-hidden], viewer, legend; empty ones are left out.
-/// Lines longer than the figure are cut to it, so any zoom is safe. Cost: about a millisecond for a
-/// few curves.
+/// Lines longer than the figure are cut to it, so any zoom is safe. With more than
+/// 40 marks in it, letters for which there is no room are left out; zooming in brings them back.
+/// Cost: about a millisecond for a few curves.
 Figure flatFigure(const Scene& scene, const FeatureSet& features, const Visibility& visibility,
                   const FlatFigureOptions& options);
 

@@ -22,22 +22,17 @@ struct Entry {
   double x, y;  // of the symbol's middle, or of the text's start; y from the legend's top
 };
 
-std::string inWords(const FlatFigureOptions& options, const std::string& english) {
-  return options.words ? options.words(english) : english;
-}
-
-/// The text with the first "%1" replaced.
-std::string filledIn(std::string text, const char* format, double value) {
+std::string formatted(const char* format, double value) {
   char number[32];
   std::snprintf(number, sizeof number, format, value);
-  const std::size_t at = text.find("%1");
-  return at == std::string::npos ? text : text.replace(at, 2, number);
+  return number;
 }
 
 std::string viewText(const View& view, const FlatFigureOptions& options) {
-  std::string text = filledIn(inWords(options, "seen from %1"), "%.6g\u00b0", view.angleDeg);
+  std::string text =
+      inWords(options.words, "seen from %1", {formatted("%.6g\u00b0", view.angleDeg)});
   if (view.distance) {
-    text += ", " + filledIn(inWords(options, "at distance %1"), "%.6g", *view.distance);
+    text += ", " + inWords(options.words, "at distance %1", {formatted("%.6g", *view.distance)});
   }
   return text;
 }
@@ -65,11 +60,11 @@ Rows rowsOf(const Scene& scene, const FlatFigureOptions& options) {
   };
   for (const MarkKind kind : markKindsInLegendOrder()) {
     if (contains(options.kinds, kind)) {
-      add(kind, inWords(options, std::string(styleOf(kind).name)));
+      add(kind, inWords(options.words, std::string(styleOf(kind).name)));
     }
   }
   if (options.hidden == FlatFigureOptions::Hidden::Pale) {
-    add(std::nullopt, inWords(options, "paler: hidden"));
+    add(std::nullopt, inWords(options.words, "paler: hidden"));
   }
   add(std::nullopt, viewText(scene.view, options));
   rows.height = y + 0.5 * kRowPx;

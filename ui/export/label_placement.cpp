@@ -55,6 +55,21 @@ void LabelPlacer::block(const Vec2& centre, const Vec2& half) {
 void LabelPlacer::discourage(const Vec2& point) { cells_[cellOf(point)].points.push_back(point); }
 
 Vec2 LabelPlacer::place(const Vec2& anchor, const Vec2& half, const Vec2& preferred) {
+  const Best best = bestFor(anchor, half, preferred);
+  block(best.centre, half);
+  return best.centre;
+}
+
+std::optional<Vec2> LabelPlacer::placeFree(const Vec2& anchor, const Vec2& half,
+                                           const Vec2& preferred) {
+  const Best best = bestFor(anchor, half, preferred);
+  if (!best.free) return std::nullopt;
+  block(best.centre, half);
+  return best.centre;
+}
+
+LabelPlacer::Best LabelPlacer::bestFor(const Vec2& anchor, const Vec2& half,
+                                       const Vec2& preferred) const {
   constexpr std::array<double, 3> kRingsPx{14.0, 20.0, 27.0};
   constexpr int kDirections = 16;
   // Costs in px^2 of covered label: another label is worst, then the curve, then a long way off.
@@ -82,13 +97,11 @@ Vec2 LabelPlacer::place(const Vec2& anchor, const Vec2& half, const Vec2& prefer
                    [&](const Vec2& p) { return (p - anchor).squaredNorm() < reach * reach; });
     }
     if (nearBoxes.size() + nearPoints.size() > kCrowd) {
-      const Vec2 preferredPlace = anchor + kRingsPx.front() * preferred;
-      block(preferredPlace, half);
-      return preferredPlace;
+      return {anchor + kRingsPx.front() * preferred, false};
     }
   }
 
-  Vec2 best = anchor + kRingsPx.front() * preferred;
+  Best best{anchor + kRingsPx.front() * preferred, false};
   double bestCost = std::numeric_limits<double>::infinity();
   for (std::size_t ring = 0; ring < kRingsPx.size(); ++ring) {
     for (int direction = 0; direction < kDirections; ++direction) {
@@ -98,20 +111,22 @@ Vec2 LabelPlacer::place(const Vec2& anchor, const Vec2& half, const Vec2& prefer
       const Vec2 unit = std::cos(angle) * preferred + std::sin(angle) * rotateCcw(preferred);
       const Vec2 centre = anchor + kRingsPx[ring] * unit;
       double cost = kRingCost * static_cast<double>(ring) + kTurnCost * std::abs(angle);
+      bool free = true;
       for (const Box& box : nearBoxes) {
         const Vec2 overlap = (half + box.half) - (centre - box.centre).cwiseAbs();
-        if (overlap.minCoeff() > 0.0) cost += 10.0 + overlap.prod();
+        if (!(overlap.minCoeff() > 0.0)) continue;
+        cost += 10.0 + overlap.prod();
+        free = false;
       }
       for (const Vec2& p : nearPoints) {
         if (((p - centre).cwiseAbs() - half).maxCoeff() < 0.0) cost += kPointCost;
       }
       if (cost < bestCost) {
         bestCost = cost;
-        best = centre;
+        best = {centre, free};
       }
     }
   }
-  block(best, half);
   return best;
 }
 

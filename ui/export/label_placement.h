@@ -3,6 +3,7 @@
 
 #include <map>
 #include <utility>
+#include <optional>
 #include <vector>
 
 #include "flatland/curve/vec2.h"
@@ -29,10 +30,20 @@ class LabelPlacer {
   /// preferred one. Cost: what is near, not how much there is.
   Vec2 place(const Vec2& anchor, const Vec2& half, const Vec2& preferred);
 
+  /// The same, but nullopt, and nothing blocked, where the label would cover a box however it is
+  /// put.
+  std::optional<Vec2> placeFree(const Vec2& anchor, const Vec2& half, const Vec2& preferred);
+
  private:
   struct Box {
     Vec2 centre, half;
   };
+  struct Best {
+    Vec2 centre;
+    bool free;  ///< covers no box
+  };
+  Best bestFor(const Vec2& anchor, const Vec2& half, const Vec2& preferred) const;
+
   /// What has its centre in one square of the figure.
   struct Cell {
     std::vector<Box> boxes;

@@ -32,7 +32,8 @@ std::string withError(double slope, double error) {
 class Builder : FigureBuilder {
  public:
   Builder(const LimitSeries& series, const LimitsFigureOptions& options)
-      : FigureBuilder(options.width, options.height, options.palette, options.textPx),
+      : FigureBuilder(options.width, options.height, options.palette, options.textPx,
+                      options.words),
         series_(series),
         law_(series.laws[std::min(options.law, series.laws.size() - 1)]),
         options_(options) {
@@ -155,10 +156,11 @@ class Builder : FigureBuilder {
     addText(words, {middle, options_.height - 11.0}, options_.xName, TextShape::Anchor::Middle);
     addText(words, {8.0, 12.0}, options_.yName, TextShape::Anchor::Start);
     const double right = options_.width - kRightPx;
-    std::string text = "no power law here";
-    if (law_.order) text = "predicted slope " + shortNumber(*law_.order);
+    std::string text = say("no power law here");
+    if (law_.order) text = say("predicted slope %1", {shortNumber(*law_.order)});
     const std::string fitted =
-        law_.fit ? "fitted " + withError(law_.fit->slope, law_.fit->slopeError) : std::string();
+        law_.fit ? say("fitted %1", {withError(law_.fit->slope, law_.fit->slopeError)})
+                 : std::string();
     if (!isNarrow() && law_.fit) text += ", " + fitted;
     addText(words, {right, 12.0}, text, TextShape::Anchor::End);
     if (isNarrow() && law_.fit) {

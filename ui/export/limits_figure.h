@@ -5,6 +5,7 @@
 
 #include "flatland/study/limits.h"
 #include "ui/export/figure.h"
+#include "ui/export/figure_words.h"
 #include "ui/export/mark_style.h"
 
 namespace flatland::ui {
@@ -16,6 +17,7 @@ struct LimitsFigureOptions {
   std::size_t law = 0;            ///< which of the series' laws
   std::optional<double> markedX;  ///< a vertical line, such as the present |n.w|
   std::string xName, yName;       ///< under and beside the axes
+  FigureWords words;              ///< of the rest
 };
 
 /// One law of a series in log-log axes: what was measured as points, the fitted line over its

@@ -24,9 +24,15 @@ constexpr Rgb kLightPurple{0xE0, 0x9C, 0xC2};
 
 using Styles = std::array<MarkStyle, kMarkKindCount>;
 
-const std::vector<double> kDotted{1.2, 3.0};
-const std::vector<double> kDashed{4.0, 3.0};
-const std::vector<double> kSolid{};
+// Projecting lines, each family another: also where colour tells nothing.
+const std::vector<double> kSolid{};                                   // apparent ridges
+const std::vector<double> kDotted{1.2, 3.0};                          // ridges
+const std::vector<double> kDashDot{7.0, 3.5, 1.2, 3.5};               // valleys
+const std::vector<double> kLongDashes{8.0, 4.0};                      // silhouettes
+const std::vector<double> kShortDashes{3.0, 3.5};                     // inflections
+const std::vector<double> kDashDotDot{7.0, 3.5, 1.2, 3.5, 1.2, 3.5};  // corners
+const std::vector<double> kSparseDots{1.2, 6.0};                      // flat points
+const std::vector<double> kLongShort{8.0, 3.5, 3.0, 3.5};             // apparent minima
 
 // In the order of MarkKind.
 const Styles& lightStyles() {
@@ -35,21 +41,22 @@ const Styles& lightStyles() {
        {0x6B, 0x6B, 0x6B},
        {0x55, 0x55, 0x55},
        MarkSymbol::Dot,
-       kDotted,
+       kLongDashes,
        1.2,
        "Silhouette",
        "Silhouettes",
        true},
-      {'i', kBlue, kBlue, MarkSymbol::Diamond, kDotted, 1.2, "Inflection", "Inflections", true},
+      {'i', kBlue, kBlue, MarkSymbol::Diamond, kShortDashes, 1.2, "Inflection", "Inflections",
+       true},
       {'r', kVermilion, kDarkVermilion, MarkSymbol::Triangle, kDotted, 1.2, "Ridge", "Ridges",
        true},
-      {'v', kPurple, kDarkPurple, MarkSymbol::TriangleDown, kDotted, 1.2, "Valley", "Valleys",
+      {'v', kPurple, kDarkPurple, MarkSymbol::TriangleDown, kDashDot, 1.2, "Valley", "Valleys",
        true},
       {'f',
        kGreen,
        {0x00, 0x6B, 0x4E},
        MarkSymbol::OpenSquare,
-       kDotted,
+       kSparseDots,
        1.0,
        "Flat point",
        "Flat points",
@@ -58,14 +65,14 @@ const Styles& lightStyles() {
        {0x1A, 0x1A, 0x1A},
        {0x1A, 0x1A, 0x1A},
        MarkSymbol::Square,
-       kDotted,
+       kDashDotDot,
        1.2,
        "Corner",
        "Corners",
        true},
       {'a', kOrange, kDarkOrange, MarkSymbol::Bar, kSolid, 2.0, "Apparent ridge", "Apparent ridges",
        true},
-      {'m', kOrange, kDarkOrange, MarkSymbol::OpenBar, kDashed, 1.2, "Apparent minimum",
+      {'m', kOrange, kDarkOrange, MarkSymbol::OpenBar, kLongShort, 1.2, "Apparent minimum",
        "Apparent minima", false},
   }};
   return kStyles;

@@ -13,6 +13,7 @@ namespace flatland::ui {
 namespace {
 
 constexpr double kLeftPx = 14.0, kRightPx = 14.0, kTopPx = 34.0, kBottomPx = 44.0;
+constexpr double kTitleRowPx = 14.0;
 constexpr double kDecadePx = 40.0;  // room for the number of a decade
 constexpr double kThesisRatio = 1e-5;
 
@@ -48,32 +49,34 @@ struct Row {
 class Builder : FigureBuilder {
  public:
   explicit Builder(const StudyFigureOptions& options)
-      : FigureBuilder(options.width, options.height, options.palette, options.textPx),
+      : FigureBuilder(options.width, options.height, options.palette, options.textPx,
+                      options.words),
         options_(options),
         bars_(styleOf(MarkKind::Inflection, options.palette).colour),
         strong_(styleOf(MarkKind::ApparentRidge, options.palette).colour) {}
 
   Figure build(const OffsetSummary& summary, const OffsetStudyOptions& study) {
-    const double bottom = options_.height - kBottomPx;
+    const double room = options_.width - kLeftPx - kRightPx;
+    const std::vector<std::string> title = wrapped(titleOf(study), textPx_, room);
+    const double bottom =
+        options_.height - kBottomPx - kTitleRowPx * static_cast<double>(title.size() - 1);
     addAxis({kTopPx, bottom});
+    addTitle(title);
     switch (options_.diagram) {
       case StudyDiagram::Ratio: {
         const PooledRatio& ratio = summary.ratio(study.convention);
         addHistogram("ratio", {kTopPx, bottom}, ratio.histogram, 1.0);
         addQuartiles({kTopPx, bottom}, ratio.perCurve, 1.0, 16.0,
-                     "medians of " + std::to_string(summary.curves) + " curves: ");
-        addTitle("|offset| / |feature|, " + std::string(nameOf(study.convention)));
+                     say("medians of %1 curves", {std::to_string(summary.curves)}));
         break;
       }
       case StudyDiagram::Displacement:
         addHistogram("displacement", {kTopPx, bottom}, summary.displacement.histogram, 1.0);
         addQuartiles({kTopPx, bottom}, summary.displacement.quartiles, 1.0, 16.0,
-                     std::to_string(summary.displacement.count) + " pairs: ");
-        addTitle("apparent ridge to its ridge or valley, on the screen / length of the curve");
+                     say("%1 pairs", {std::to_string(summary.displacement.count)}));
         break;
       case StudyDiagram::Conventions:
         addConventions(summary, study, bottom);
-        addTitle("|offset| / |feature|, the same curves in three kinds of unit");
         break;
     }
     return std::move(figure_);
@@ -96,9 +99,25 @@ class Builder : FigureBuilder {
     addLine(axis, {kLeftPx, row.bottom}, {options_.width - kRightPx, row.bottom}, frameStroke());
   }
 
-  void addTitle(const std::string& text) {
-    addText(group("title", "title"), {0.5 * options_.width, options_.height - 12.0}, text,
-            TextShape::Anchor::Middle);
+  std::string titleOf(const OffsetStudyOptions& study) const {
+    switch (options_.diagram) {
+      case StudyDiagram::Ratio:
+        return say("|offset| / |feature|") + ", " + say(std::string(nameOf(study.convention)));
+      case StudyDiagram::Displacement:
+        return say("apparent ridge to its ridge or valley, on the screen / length of the curve");
+      case StudyDiagram::Conventions:
+        break;
+    }
+    return say("|offset| / |feature|, the same curves in three kinds of unit");
+  }
+
+  void addTitle(const std::vector<std::string>& lines) {
+    FigureGroup& title = group("title", "title");
+    double y = options_.height - 12.0 - kTitleRowPx * static_cast<double>(lines.size() - 1);
+    for (const std::string& line : lines) {
+      addText(title, {0.5 * options_.width, y}, line, TextShape::Anchor::Middle);
+      y += kTitleRowPx;
+    }
   }
 
   void addHistogram(const std::string& id, const Row& row, const RatioHistogram& shares,
@@ -144,12 +163,13 @@ class Builder : FigureBuilder {
     line(quartiles.upper, dashed);
     line(quartiles.median, {.colour = colours_.text, .width = 1.8});
     // As much as there is room for, the median first.
-    const std::string median = "median " + shortNumber(quartiles.median * factor);
-    const std::string rest = ", quartiles " + shortNumber(quartiles.lower * factor) + ", " +
-                             shortNumber(quartiles.upper * factor);
+    const std::string median = say("median %1", {shortNumber(quartiles.median * factor)});
+    const std::string rest =
+        ", " + say("quartiles %1, %2",
+                   {shortNumber(quartiles.lower * factor), shortNumber(quartiles.upper * factor)});
     const double room = options_.width - kLeftPx - kRightPx;
-    std::string text = before + median + rest;
-    if (estimatedWidth(text, textPx_) > room) text = before + median;
+    std::string text = before + ": " + median + rest;
+    if (estimatedWidth(text, textPx_) > room) text = before + ": " + median;
     if (estimatedWidth(text, textPx_) > room) text = median;
     addText(lines, {kLeftPx, textAt}, text, TextShape::Anchor::Start);
   }
@@ -163,9 +183,9 @@ class Builder : FigureBuilder {
             {.colour = styleOf(MarkKind::Ridge, options_.palette).colour,
              .width = 1.4,
              .dash = {2.0, 3.0}});
-    addText(thesis, {x, 14.0}, "thesis: 1/100,000", TextShape::Anchor::Middle);
+    addText(thesis, {x, 14.0}, say("thesis: 1/100,000"), TextShape::Anchor::Middle);
     addText(thesis, {options_.width - kRightPx, 14.0},
-            "square of side " + shortNumber(options_.scale), TextShape::Anchor::End);
+            say("square of side %1", {shortNumber(options_.scale)}), TextShape::Anchor::End);
     for (int c = 0; c < kTermConventions; ++c) {
       const auto convention = static_cast<TermConvention>(c);
       const Row row{kTopPx + c * height + 14.0, kTopPx + (c + 1) * height};
@@ -175,7 +195,7 @@ class Builder : FigureBuilder {
       addHistogram(std::string(nameOf(convention)), {row.top - 18.0, row.bottom}, ratio.histogram,
                    factor);
       addQuartiles(row, ratio.perCurve, factor, row.top - 7.0,
-                   std::string(nameOf(convention)) + ": ");
+                   say(std::string(nameOf(convention))));
       addLine(group("base-" + std::to_string(c), "axis"), {kLeftPx, row.bottom},
               {options_.width - kRightPx, row.bottom}, {.colour = colours_.text, .width = 0.8});
     }

@@ -5,6 +5,7 @@
 
 #include "flatland/study/offset_study.h"
 #include "ui/export/figure.h"
+#include "ui/export/figure_words.h"
 #include "ui/export/mark_style.h"
 
 namespace flatland::ui {
@@ -21,7 +22,8 @@ struct StudyFigureOptions {
   double textPx = 12.0;
   StudyDiagram diagram = StudyDiagram::Ratio;
   Palette palette = Palette::Light;
-  double scale = 1.0;                      ///< Conventions: the side of the square
+  double scale = 1.0;  ///< Conventions: the side of the square
+  FigureWords words;
   std::optional<std::size_t> selectedBin;  ///< drawn stronger; not for Conventions
 };
 

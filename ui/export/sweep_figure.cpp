@@ -81,20 +81,36 @@ Legend legendOf(const Sweep& sweep, const SweepFigureOptions& options) {
     const auto ofKind = [kind](const auto& item) { return item.kind == kind; };
     const bool present = std::any_of(sweep.lines.begin(), sweep.lines.end(), ofKind) ||
                          std::any_of(sweep.branches.begin(), sweep.branches.end(), ofKind);
-    if (present && shows(options, kind)) add(kind, false, std::string(styleOf(kind).pluralName));
+    if (present && shows(options, kind)) {
+      add(kind, false, inWords(options.words, std::string(styleOf(kind).pluralName)));
+    }
   }
   if (hasFolds(sweep) && shows(options, MarkKind::ApparentRidge)) {
-    add(std::nullopt, true, "Born or merged");
+    add(std::nullopt, true, inWords(options.words, "Born or merged"));
   }
-  if (options.visibility && !legend.entries.empty()) add(std::nullopt, false, "paler: hidden");
+  if (options.visibility && !legend.entries.empty()) {
+    add(std::nullopt, false, inWords(options.words, "paler: hidden"));
+  }
   legend.height = legend.entries.empty() ? 0.0 : y + 0.5 * kLegendRowPx;
   return legend;
+}
+
+// Of the names at the ends of the level lines, px.
+double widestName(const Sweep& sweep, const SweepFigureOptions& options) {
+  double widest = 0.0;
+  for (const SweepLine& line : sweep.lines) {
+    if (!shows(options, line.kind)) continue;
+    const std::string name = inWords(options.words, std::string(styleOf(line.kind).name));
+    widest = std::max(widest, estimatedWidth(name, options.textPx));
+  }
+  return widest;
 }
 
 class Builder : FigureBuilder {
  public:
   Builder(const Sweep& sweep, const std::vector<double>& lengths, const SweepFigureOptions& options)
-      : FigureBuilder(options.width, options.height, options.palette, options.textPx),
+      : FigureBuilder(options.width, options.height, options.palette, options.textPx,
+                      options.words),
         sweep_(sweep),
         options_(options),
         axes_(sweepAxes(sweep, lengths, options)) {}
@@ -144,8 +160,8 @@ class Builder : FigureBuilder {
     addLine(grid, {box().left, box().bottom}, {box().left, box().top}, frame);
     addLine(grid, {box().right, box().bottom}, {box().right, box().top}, frame);
     addText(axes, {0.5 * (box().left + box().right), options_.height - 14.0},
-            "view direction (orthographic)", TextShape::Anchor::Middle);
-    addText(axes, {8.0, box().top - 11.0}, "arc length", TextShape::Anchor::Start);
+            say("view direction (orthographic)"), TextShape::Anchor::Middle);
+    addText(axes, {8.0, box().top - 11.0}, say("arc length"), TextShape::Anchor::Start);
     if (options_.viewAngleDeg) {
       const double angle = normalizedDeg(*options_.viewAngleDeg);
       if (angle >= w.angleLow && angle <= w.angleHigh) {
@@ -325,9 +341,10 @@ class Builder : FigureBuilder {
       addLine(labels, end, {label.x() - 9.0, label.y()}, {.colour = style.colour, .width = 0.8});
       labels.shapes.emplace_back(
           markSymbol(lines[i]->kind, label, kSymbolSizePx, 0.0, options_.palette, false));
-      labels.shapes.emplace_back(TextShape{
-          label + Vec2(9.0, 0.0), names ? std::string(style.name) : std::string(1, style.letter),
-          options_.textPx, style.letterColour, TextShape::Anchor::Start, false});
+      labels.shapes.emplace_back(
+          TextShape{label + Vec2(9.0, 0.0),
+                    names ? say(std::string(style.name)) : std::string(1, style.letter),
+                    options_.textPx, style.letterColour, TextShape::Anchor::Start, false});
     }
     for (const BranchLabel& label : branchLabels_) {
       const MarkStyle& style = styleOf(label.kind, options_.palette);
@@ -374,8 +391,7 @@ class Builder : FigureBuilder {
 SweepAxes sweepAxes(const Sweep& sweep, const std::vector<double>& curveLengths,
                     const SweepFigureOptions& options) {
   const double legend = legendOf(sweep, options).height;
-  const double names =
-      options.width >= kRoomForNamesPx ? 34.0 + estimatedWidth("Inflection", options.textPx) : 42.0;
+  const double names = options.width >= kRoomForNamesPx ? 34.0 + widestName(sweep, options) : 42.0;
   const double left = options.width >= kNarrowPx ? 54.0 : 40.0;
   return {curveLengths,
           {left, legend + 24.0, std::max(options.width - names, left + 10.0),

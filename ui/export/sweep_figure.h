@@ -3,6 +3,7 @@
 
 #include "flatland/screen/sweep_visibility.h"
 #include "ui/export/figure.h"
+#include "ui/export/figure_words.h"
 #include "ui/export/mark_style.h"
 #include "ui/export/sweep_axes.h"
 
@@ -15,6 +16,7 @@ struct SweepFigureOptions {
   std::optional<double> viewAngleDeg;  ///< drawn as a line if given
   Palette palette = Palette::Light;
   bool legend = true;
+  FigureWords words;
   std::optional<SweepWindow> window;            ///< none: the whole diagram
   const SweepVisibility* visibility = nullptr;  ///< of this sweep; none: nothing is paler
 };

@@ -4,13 +4,13 @@
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QPainter>
-#include <QPointingDevice>
 #include <cmath>
 #include <limits>
 
 #include "ui/commands/curve_commands.h"
 #include "ui/flat/canvas_painter.h"
 #include "ui/flat/scene_summary.h"
+#include "ui/flat/wheel.h"
 #include "ui/model/core_words.h"
 
 namespace flatland::ui {
@@ -20,13 +20,6 @@ namespace {
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kDegreesPerNotch = 120.0;  ///< QWheelEvent::angleDelta of one notch
 constexpr double kNudgePx = 2.0;            ///< one arrow key; Shift ten times, Ctrl or Alt a tenth
-
-/// Two fingers on a trackpad, or a ball: not the notches of a wheel. Told by the device where the
-/// platform names it, else by what only such devices send.
-bool scrollsByFingers(const QWheelEvent& event) {
-  if (event.device()->type() == QInputDevice::DeviceType::TouchPad) return true;
-  return event.phase() != Qt::NoScrollPhase;
-}
 
 Pointer pointerOf(const QMouseEvent& event) { return {event.position(), event.modifiers()}; }
 
@@ -200,9 +193,7 @@ void FlatCanvas::insertPointAt(std::size_t curve, double t) {
 }
 
 void FlatCanvas::wheelEvent(QWheelEvent* event) {
-  const bool zooms = event->modifiers().testFlag(Qt::ControlModifier) ||
-                     (!scrollsByFingers(*event) && models_.display.wheelZooms());
-  if (!zooms) {
+  if (!wheelZoomsHere(*event, models_.display)) {
     const QPoint pixels = event->pixelDelta();
     models_.viewport.panBy(pixels.isNull() ? QPointF(event->angleDelta()) / 8.0 : QPointF(pixels));
   } else {

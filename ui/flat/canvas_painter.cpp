@@ -55,7 +55,7 @@ class CanvasPainter {
     if (models_.display.showsPrintedRoots()) paintPrintedRoots();
     paintSelectedMark();
     paintHoveredMark();
-    paintProbe(painter_, models_, scale_, state_.hovered.what == Target::What::Probe);
+    paintProbe(painter_, models_, scale_, state_.hovered.what == Target::What::Probe, labels_);
     paintPoints(true);
     paintHandle();
     painter_.restore();
@@ -125,6 +125,33 @@ class CanvasPainter {
                                models_.document.visibility(), options);
     std::erase_if(figure.groups, [](const FigureGroup& group) { return group.id == "viewer"; });
     flatland::ui::paintFigure(painter_, figure);
+    blockLetters(figure);
+  }
+
+  /// The names of the probe's vectors keep clear of letters and symbols, the eye and the screen.
+  void blockLetters(const Figure& figure) {
+    constexpr double kLetterPx = 13.0, kSymbolPx = 7.0, kEyePx = 17.0;
+    for (const FigureGroup& group : figure.groups) {
+      for (const Shape& shape : group.shapes) {
+        if (const auto* letter = std::get_if<TextShape>(&shape)) {
+          labels_.block(letter->position, Vec2(0.5, 0.55) * kLetterPx);
+        }
+      }
+    }
+    for (const Mark& mark : models_.document.features().marks) {
+      if (!contains(models_.display.families(), mark.kind)) continue;
+      const QPointF p = at(mark.point);
+      labels_.block({p.x(), p.y()}, Vec2::Constant(kSymbolPx));
+    }
+    const QPointF eye = handlePlace(models_, canvas_).at / scale_;
+    labels_.block({eye.x(), eye.y()}, Vec2::Constant(kEyePx));
+    if (const auto seen = probeOnScreen(models_)) {
+      constexpr double kReachPx = 240.0, kStepPx = 4.0;
+      const Vec2 axis = frameOf(models_.document.scene().view).axis;
+      for (double s = -kReachPx; s <= kReachPx; s += kStepPx) {
+        labels_.discourage({seen->x() / scale_ + s * axis.x(), seen->y() / scale_ - s * axis.y()});
+      }
+    }
   }
 
   /// Where (3.13) as printed would put apparent ridges: hollow, dashed, never like a real mark.
@@ -292,6 +319,7 @@ class CanvasPainter {
   Palette palette_;
   const SceneColours& colours_;
   QColor highlight_;
+  LabelPlacer labels_;  ///< what the names at the probe keep clear of
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <QPalette>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "flatland/study/probe_geometry.h"
 #include "ui/export/figure_qt.h"
@@ -34,10 +36,17 @@ QColor curvatureColour() {
   return themePalette() != Palette::Light ? QColor(0x56, 0xB4, 0xE9) : QColor(0x00, 0x72, 0xB2);
 }
 
-/// An arrow with its name at the tip, on a veil that keeps it readable: beyond it, or `aside` of
-/// it.
-void paintArrow(QPainter& painter, const QPointF& from, const QPointF& along, const QColor& colour,
-                double width, const QString& name, const QPointF& aside = {}) {
+/// An arrow and where its name would best be.
+struct Arrow {
+  QPointF from, along;
+  QColor colour;
+  double width;
+  QString name;
+  QPointF side;  ///< of the tip: direction; null for beyond it
+};
+
+void paintArrow(QPainter& painter, const Arrow& arrow) {
+  const auto& [from, along, colour, width, name, side] = arrow;
   const double length = std::hypot(along.x(), along.y());
   if (length < 1.0) return;
   const QPointF to = from + along, unit = along / length, across(-unit.y(), unit.x());
@@ -48,16 +57,38 @@ void paintArrow(QPainter& painter, const QPointF& from, const QPointF& along, co
   painter.setBrush(colour);
   painter.drawPolygon(QPolygonF{to, to - unit * head + across * head * 0.4,
                                 to - unit * head - across * head * 0.4});
-  if (name.isEmpty()) return;
+}
+
+/// Keeps names off the arrow.
+void keepClear(LabelPlacer& labels, const Arrow& arrow) {
+  constexpr double kStepPx = 3.0;
+  const double length = std::hypot(arrow.along.x(), arrow.along.y());
+  for (double s = 0.0; s < length; s += kStepPx) {
+    const QPointF p = arrow.from + arrow.along * (s / length);
+    labels.discourage({p.x(), p.y()});
+  }
+}
+
+/// Its name at the tip, on a veil that keeps it readable, where there is room.
+void paintName(QPainter& painter, const Arrow& arrow, LabelPlacer& labels) {
+  constexpr double kNearestRingPx = 14.0;  // of the placer, from the anchor to the middle
+  const double length = std::hypot(arrow.along.x(), arrow.along.y());
+  if (length < 1.0) return;
+  const auto& [from, along, colour, width, name, side] = arrow;
   QFont font = painter.font();
   font.setBold(true);
   painter.save();
   painter.setFont(font);
   const QFontMetricsF metrics(font);
   QRectF box(QPointF(), QSizeF(metrics.horizontalAdvance(name) + 4.0, metrics.height()));
-  const double away =
-      4.0 + 0.5 * (std::abs(unit.x()) * box.width() + std::abs(unit.y()) * box.height());
-  box.moveCenter(aside.isNull() ? to + unit * away : to + aside);
+  const Vec2 half(0.5 * box.width(), 0.5 * box.height());
+  const QPointF wanted = side.isNull() ? along / length : side / std::hypot(side.x(), side.y());
+  const Vec2 unit(wanted.x(), wanted.y());
+  // A long name begins where a short one would.
+  const double shift = std::max(0.0, unit.cwiseAbs().dot(half) + 4.0 - kNearestRingPx);
+  const QPointF tip = from + along;
+  const Vec2 centre = labels.place(Vec2(tip.x(), tip.y()) + shift * unit, half, unit);
+  box.moveCenter({centre.x(), centre.y()});
   QColor veil = toQColor(sceneColours(themePalette()).background);
   veil.setAlpha(190);
   painter.fillRect(box, veil);
@@ -81,10 +112,12 @@ QString shortNumber(double value) {
 
 class ProbePainter {
  public:
-  ProbePainter(QPainter& painter, const CanvasModels& models, double scale)
+  ProbePainter(QPainter& painter, const CanvasModels& models, double scale,
+               LabelPlacer* labels = nullptr)
       : painter_(painter),
         models_(models),
         scale_(scale),
+        labels_(labels),
         perLength_(models.viewport.scale() / scale),
         colours_(sceneColours(themePalette())) {}
 
@@ -140,12 +173,19 @@ class ProbePainter {
     // k = dn/du lies along t: wider, and below it.
     QColor k = curvatureColour();
     k.setAlpha(200);
-    paintArrow(painter_, p, onCanvas(reading->frame.tangent) * pixels(reading->frame.k), k, 5.0,
-               OverlayWords::tr("k"), -onCanvas(reading->frame.normal) * 12.0);
-    paintArrow(painter_, p, onCanvas(reading->frame.tangent) * kUnitPx, ink, 1.6,
-               OverlayWords::tr("t"));
-    paintArrow(painter_, p, onCanvas(reading->frame.normal) * kUnitPx, ink, 1.6,
-               OverlayWords::tr("n"));
+    add({p, onCanvas(reading->frame.tangent) * pixels(reading->frame.k), k, 5.0,
+         OverlayWords::tr("k"), -onCanvas(reading->frame.normal)});
+    add({p, onCanvas(reading->frame.tangent) * kUnitPx, ink, 1.6, OverlayWords::tr("t"), {}});
+    add({p, onCanvas(reading->frame.normal) * kUnitPx, ink, 1.6, OverlayWords::tr("n"), {}});
+  }
+
+  /// The names of all arrows, when all arrows are known.
+  void paintNames() {
+    if (const auto at = probeOnCanvas(models_)) {
+      labels_->block({at->x() / scale_, at->y() / scale_}, Vec2::Constant(kHandlePx + 2.0));
+    }
+    for (const Arrow& arrow : arrows_) keepClear(*labels_, arrow);
+    for (const Arrow& arrow : arrows_) paintName(painter_, arrow, *labels_);
   }
 
   void paintScreenTurn() {
@@ -160,8 +200,8 @@ class ProbePainter {
     // Beside the screen line, on the side of the curve, so that neither hides the other.
     const QPointF beside = at - onCanvas(view.towards) * 9.0;
     if (turn) {
-      paintArrow(painter_, beside, onCanvas(view.axis) * pixels(*turn), curvatureColour(), 4.0,
-                 OverlayWords::tr("dn/di = %1").arg(shortNumber(*turn)));
+      add({beside, onCanvas(view.axis) * pixels(*turn), curvatureColour(), 4.0,
+           OverlayWords::tr("dn/di = %1").arg(shortNumber(*turn)), -onCanvas(view.towards)});
     }
     painter_.setPen(QPen(toQColor(colours_.background), 1.5));
     painter_.setBrush(toQColor(colours_.screen));
@@ -187,6 +227,11 @@ class ProbePainter {
   }
 
  private:
+  void add(Arrow arrow) {
+    paintArrow(painter_, arrow);
+    arrows_.push_back(std::move(arrow));
+  }
+
   QPointF at(const Vec2& world) const { return models_.viewport.toWidget(world) / scale_; }
   static QPointF onCanvas(const Vec2& v) { return {v.x(), -v.y()}; }
 
@@ -215,6 +260,8 @@ class ProbePainter {
   QPainter& painter_;
   const CanvasModels& models_;
   double scale_;
+  LabelPlacer* labels_;
+  std::vector<Arrow> arrows_;  ///< whose names are still to come
   double perLength_;
   const SceneColours& colours_;
 };
@@ -246,10 +293,12 @@ void paintBelowProbe(QPainter& painter, const CanvasModels& models, double scale
   if (models.display.shows(Overlay::Circle)) overlay.paintCircle();
 }
 
-void paintProbe(QPainter& painter, const CanvasModels& models, double scale, bool hovered) {
-  ProbePainter overlay(painter, models, scale);
+void paintProbe(QPainter& painter, const CanvasModels& models, double scale, bool hovered,
+                LabelPlacer& labels) {
+  ProbePainter overlay(painter, models, scale, &labels);
   if (models.display.shows(Overlay::ScreenTurn)) overlay.paintScreenTurn();
   if (models.display.shows(Overlay::Vectors)) overlay.paintVectors();
+  overlay.paintNames();
   overlay.paintHandle(hovered);
 }
 

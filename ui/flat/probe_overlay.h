@@ -4,6 +4,7 @@
 #include <QPointF>
 #include <optional>
 
+#include "ui/export/label_placement.h"
 #include "ui/flat/canvas_models.h"
 
 class QPainter;
@@ -23,6 +24,8 @@ void paintBelowProbe(QPainter& painter, const CanvasModels& models, double scale
                      const QSizeF& size);
 
 /// What lies above it: the probe itself, n, t and k at it, its line of sight, dn/di on the screen.
-void paintProbe(QPainter& painter, const CanvasModels& models, double scale, bool hovered);
+/// Their names go where `labels` finds room beside what is there already.
+void paintProbe(QPainter& painter, const CanvasModels& models, double scale, bool hovered,
+                LabelPlacer& labels);
 
 }  // namespace flatland::ui

@@ -8,6 +8,8 @@
 #include <exception>
 #include <mutex>
 
+#include "ui/model/core_sentences.h"
+
 namespace flatland::ui {
 
 namespace {
@@ -73,6 +75,8 @@ void Job::run(std::function<Show(const JobControl&)> work) {
     QString failure;
     try {
       show = work(JobControl(state));
+    } catch (const InputError& error) {
+      failure = errorForPeople(error);
     } catch (const std::exception& error) {
       failure = QString::fromUtf8(error.what());
     }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "flatland/io/input_error.h"
+#include "ui/model/core_sentences.h"
 #include "ui/model/paths.h"
 
 // In a static library resources register themselves only when asked to, from outside any namespace.
@@ -65,7 +66,7 @@ void LessonFiles::openFile(const QString& name) {
   try {
     lesson_.start(read(name));
   } catch (const InputError& error) {
-    emit failed(QString::fromStdString(error.what()));
+    emit failed(errorForPeople(error));
     return;
   }
   if (settings_ && !isShipped(name)) {

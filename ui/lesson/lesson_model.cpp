@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_model.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "flatland/features/orientation.h"
 #include "ui/commands/command_ids.h"
 #include "ui/commands/scene_commands.h"
@@ -12,8 +15,21 @@ namespace {
 /// The scene of a step. Told from other commands by its id; never merged.
 class ShowLessonStep : public ReplaceScene {
  public:
-  using ReplaceScene::ReplaceScene;
+  /// `from`: the step that was shown before; -1 for the person's own scene.
+  ShowLessonStep(Document& document, Scene scene, const QString& text, int from, int to)
+      : ReplaceScene(document, std::move(scene), text), from_(from), to_(to) {}
   int id() const override { return kLessonCommandId; }
+  int from() const { return from_; }
+  int to() const { return to_; }
+
+ private:
+  int from_, to_;
+};
+
+/// Brings back the person's own scene.
+class LeaveLesson : public ReplaceScene {
+ public:
+  using ReplaceScene::ReplaceScene;
 };
 
 bool sameScene(const LessonState& a, const LessonState& b) {
@@ -29,6 +45,7 @@ bool sameProbe(const LessonState& a, const LessonState& b) {
 LessonModel::LessonModel(Document& document, Probe& probe, Display& display, QObject* parent)
     : QObject(parent), document_(document), probe_(probe), display_(display) {
   connect(&document_, &Document::changed, this, &LessonModel::follow);
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &LessonModel::followUndo);
 }
 
 void LessonModel::start(Lesson lesson) {
@@ -37,6 +54,8 @@ void LessonModel::start(Lesson lesson) {
              document_.undoStack().index()};
   lesson_ = std::move(lesson);
   index_ = 0;
+  shownFrom_ = -1;
+  isUndone_ = false;
   apply(false);
 }
 
@@ -62,7 +81,7 @@ void LessonModel::leave() {
   if (onlyStepsSince(own)) stack.setIndex(own.undoIndex);
   // Where undo went below the start and a step was pushed there, that is no longer the own scene.
   if (!(document_.scene() == own.scene)) {
-    document_.push(std::make_unique<ReplaceScene>(document_, own.scene, tr("leave lesson")));
+    document_.push(std::make_unique<LeaveLesson>(document_, own.scene, tr("leave lesson")));
   }
   probe_.setPlace(own.place);
   for (const MarkKind kind : markKindsInLegendOrder()) {
@@ -77,8 +96,9 @@ void LessonModel::goTo(int index) {
   if (!lesson_ || index < 0 || index >= count() || index == index_) return;
   const LessonState before = step().state;
   const bool near = std::abs(index - index_) == 1;
+  shownFrom_ = isUndone_ ? -1 : index_;
   index_ = index;
-  apply(near && !step().setsPlace && sameScene(before, step().state) &&
+  apply(near && !isUndone_ && !step().setsPlace && sameScene(before, step().state) &&
         sameProbe(before, step().state));
 }
 
@@ -87,7 +107,9 @@ void LessonModel::nextStop() {
 }
 
 void LessonModel::showAgain() {
-  if (lesson_) apply(false);
+  if (!lesson_) return;
+  shownFrom_ = isUndone_ ? -1 : index_;
+  apply(false);
 }
 
 std::optional<int> LessonModel::stopAfter(int index) const {
@@ -105,11 +127,21 @@ void LessonModel::apply(bool keepScene) {
     if (!(document_.scene() == scene)) {
       showing_ = true;  // the stack counts the command only after it was done
       document_.push(std::make_unique<ShowLessonStep>(
-          document_, std::move(scene), tr("lesson: %1").arg(QString::fromStdString(step().title))));
+          document_, std::move(scene), tr("lesson: %1").arg(QString::fromStdString(step().title)),
+          shownFrom_, index_));
       showing_ = false;
     }
+    stepsDone_ = stepsDone();
+    isUndone_ = false;
     if (state.probeT) probe_.setPlace(Probe::Place{state.probeCurve, *state.probeT});
   }
+  showSettings();
+  if (!state.panel.empty()) emit panelWanted(QString::fromStdString(state.panel));
+}
+
+/// What a step shows beside its scene.
+void LessonModel::showSettings() {
+  const LessonState& state = step().state;
   if (state.equation && !probe_.place()) probe_.moveBy(0.0);
   if (state.families) {
     MarkKinds wanted;
@@ -123,7 +155,39 @@ void LessonModel::apply(bool keepScene) {
   display_.setShowsPrintedRoots(state.printedRoots);
   printed_ = state.printed;
   emit changed();
-  if (!state.panel.empty()) emit panelWanted(QString::fromStdString(state.panel));
+}
+
+int LessonModel::stepsDone() const {
+  const QUndoStack& stack = document_.undoStack();
+  int steps = 0;
+  for (int i = own_->undoIndex; i < stack.index(); ++i) {
+    if (stack.command(i)->id() == kLessonCommandId) ++steps;
+  }
+  return steps;
+}
+
+/// Undo and redo of a step's scene lead to the step whose scene comes back.
+void LessonModel::followUndo() {
+  if (!lesson_ || showing_) return;
+  const int before = std::exchange(stepsDone_, stepsDone());
+  if (stepsDone_ == before) return;
+  // Forward the last one done, back the first one undone; it is still on the stack.
+  int wanted = stepsDone_ > before ? stepsDone_ - 1 : stepsDone_;
+  const QUndoStack& stack = document_.undoStack();
+  for (int i = own_->undoIndex; i < stack.count(); ++i) {
+    if (stack.command(i)->id() != kLessonCommandId || wanted-- > 0) continue;
+    const auto& shown = static_cast<const ShowLessonStep&>(*stack.command(i));
+    const int step = stepsDone_ > before ? shown.to() : shown.from();
+    isUndone_ = step < 0;
+    if (isUndone_) {
+      probe_.setPlace(own_->place);
+    } else {
+      index_ = std::min(step, count() - 1);
+      const LessonState& state = this->step().state;
+      if (state.probeT) probe_.setPlace(Probe::Place{state.probeCurve, *state.probeT});
+    }
+    return showSettings();
+  }
 }
 
 /// Another file or preset was opened: there is no own scene to go back to.

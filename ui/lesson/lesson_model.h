@@ -50,6 +50,9 @@ class LessonModel : public QObject {
   /// The scene and probe of this step, whatever was dragged.
   void showAgain();
 
+  /// The step's scene was undone: the person's own one is shown.
+  bool isUndone() const { return isUndone_; }
+
   /// The equation of the step as the thesis prints it; only where it is misprinted.
   bool isPrinted() const { return printed_; }
   void setPrinted(bool printed);
@@ -78,6 +81,9 @@ class LessonModel : public QObject {
   };
 
   void apply(bool keepScene);
+  void showSettings();
+  void followUndo();
+  int stepsDone() const;
   void follow(const Change& change);
   bool onlyStepsSince(const Own& own) const;
   std::optional<int> stopAfter(int index) const;
@@ -90,6 +96,9 @@ class LessonModel : public QObject {
   std::optional<Own> own_;
   int index_ = 0;
   bool printed_ = false;
+  int stepsDone_ = 0;   ///< commands of the lesson that are done
+  int shownFrom_ = -1;  ///< the step from which the next is shown; -1: the own scene
+  bool isUndone_ = false;
   bool showing_ = false;  ///< a step is just putting its scene in place
 };
 

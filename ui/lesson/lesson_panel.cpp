@@ -10,6 +10,7 @@
 
 #include "ui/lesson/formula_view.h"
 #include "ui/lesson/lesson_words.h"
+#include "ui/panels/elided_label.h"
 #include "ui/plot/step_size_plot.h"
 
 namespace flatland::ui {
@@ -37,14 +38,11 @@ LessonPanel::LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QW
   row->addWidget(equation_, 8);
   row->addWidget(plot_, 4);
   layout->addLayout(row, 1);
-  misses_ = new QLabel(this);
+  misses_ = new ElidedLabel(this);
   misses_->setObjectName("lesson.misses");
   misses_->setAccessibleName(tr("How far the printed roots miss"));
   // Until there is a line to show; showMisses() puts the roots one by one here.
   misses_->setToolTip(misses_->accessibleName());
-  misses_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  // Too long for a narrow strip, it is cut there; the tip has it all.
-  misses_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->addWidget(misses_);
 
   connect(&lesson_, &LessonModel::changed, this, &LessonPanel::showStep);
@@ -133,7 +131,9 @@ void LessonPanel::showStep() {
                         .arg(QString::fromStdString(lesson_.lesson().title).toHtmlEscaped())
                         .arg(lesson_.index() + 1)
                         .arg(lesson_.count())
-                        .arg(step.stop ? tr(" · stop") : QString()));
+                        .arg(lesson_.isUndone() ? tr(" · undone: your own scene")
+                             : step.stop        ? tr(" · stop")
+                                                : QString()));
     words_->setMarkdown("**" + QString::fromStdString(step.title) + "**\n\n" +
                         QString::fromStdString(step.text));
   } else {

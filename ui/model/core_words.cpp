@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "ui/model/core_sentences.h"
+
 namespace flatland::ui {
 
 namespace {
@@ -47,6 +49,90 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "gaussian bump"),
     QT_TRANSLATE_NOOP("Core", "rounded cube"),
     QT_TRANSLATE_NOOP("Core", "bumpy sphere"),
+    // ui/export: the diagrams of sweep, study and limits
+    QT_TRANSLATE_NOOP("Core", "Silhouettes"),
+    QT_TRANSLATE_NOOP("Core", "Inflections"),
+    QT_TRANSLATE_NOOP("Core", "Flat points"),
+    QT_TRANSLATE_NOOP("Core", "Corners"),
+    QT_TRANSLATE_NOOP("Core", "Apparent minima"),
+    QT_TRANSLATE_NOOP("Core", "Born or merged"),
+    QT_TRANSLATE_NOOP("Core", "view direction (orthographic)"),
+    QT_TRANSLATE_NOOP("Core", "arc length"),
+    QT_TRANSLATE_NOOP("Core", "no power law here"),
+    QT_TRANSLATE_NOOP("Core", "predicted slope %1"),
+    QT_TRANSLATE_NOOP("Core", "fitted %1"),
+    QT_TRANSLATE_NOOP("Core", "medians of %1 curves"),
+    QT_TRANSLATE_NOOP("Core", "%1 pairs"),
+    QT_TRANSLATE_NOOP("Core", "median %1"),
+    QT_TRANSLATE_NOOP("Core", "quartiles %1, %2"),
+    QT_TRANSLATE_NOOP("Core", "thesis: 1/100,000"),
+    QT_TRANSLATE_NOOP("Core", "square of side %1"),
+    QT_TRANSLATE_NOOP("Core", "|offset| / |feature|"),
+    QT_TRANSLATE_NOOP("Core", "|offset| / |feature|, the same curves in three kinds of unit"),
+    QT_TRANSLATE_NOOP("Core",
+                      "apparent ridge to its ridge or valley, on the screen / length of the curve"),
+    QT_TRANSLATE_NOOP("Core", "arc-length"),
+    QT_TRANSLATE_NOOP("Core", "parameter"),
+    QT_TRANSLATE_NOOP("Core", "unnormalised"),
+    // why a formula or a curve is refused
+    QT_TRANSLATE_NOOP("Core", "there is no such function"),
+    QT_TRANSLATE_NOOP("Core", "neither t, pi, e nor a constant"),
+    QT_TRANSLATE_NOOP("Core", "the curve turns too often for its domain"),
+    QT_TRANSLATE_NOOP("Core", "one argument"),
+    QT_TRANSLATE_NOOP("Core", "two arguments"),
+    QT_TRANSLATE_NOOP("Core", "a closed chain needs at least 2 points"),
+    QT_TRANSLATE_NOOP("Core", "the largest weight is more than a million times the smallest"),
+    // why a file is refused, and parts of such sentences (core_sentences.cpp)
+    QT_TRANSLATE_NOOP("Core", "top level"),
+    QT_TRANSLATE_NOOP("Core", "the file is empty"),
+    QT_TRANSLATE_NOOP("Core", "not UTF-8 text"),
+    QT_TRANSLATE_NOOP("Core", "cannot be read"),
+    QT_TRANSLATE_NOOP("Core", "cannot be written"),
+    QT_TRANSLATE_NOOP("Core", "cannot be written to the end"),
+    QT_TRANSLATE_NOOP("Core", "No such file or directory"),
+    QT_TRANSLATE_NOOP("Core", "Permission denied"),
+    QT_TRANSLATE_NOOP("Core", "Is a directory"),
+    QT_TRANSLATE_NOOP("Core", "Not a directory"),
+    QT_TRANSLATE_NOOP("Core", "No space left on device"),
+    QT_TRANSLATE_NOOP("Core", "Read-only file system"),
+    QT_TRANSLATE_NOOP("Core", "larger than 64 MiB, too large for a scene"),
+    QT_TRANSLATE_NOOP("Core", "larger than 16 MiB, too large for a drawing"),
+    QT_TRANSLATE_NOOP("Core", "larger than 1 MiB, too large for a lesson"),
+    QT_TRANSLATE_NOOP("Core", "missing \"flatland\": 1, which marks a scene and its version"),
+    QT_TRANSLATE_NOOP("Core", "missing \"curves\""),
+    QT_TRANSLATE_NOOP("Core", "not a finite number"),
+    QT_TRANSLATE_NOOP("Core", "expected 2 numbers [x, y]"),
+    QT_TRANSLATE_NOOP("Core", "an object"),
+    QT_TRANSLATE_NOOP("Core", "a number"),
+    QT_TRANSLATE_NOOP("Core", "a string"),
+    QT_TRANSLATE_NOOP("Core", "a number or a string"),
+    QT_TRANSLATE_NOOP("Core", "true or false"),
+    QT_TRANSLATE_NOOP("Core", "a list"),
+    QT_TRANSLATE_NOOP("Core", "a list of points [x, y]"),
+    QT_TRANSLATE_NOOP("Core", "a point [x, y]"),
+    QT_TRANSLATE_NOOP("Core", "a list of curves"),
+    QT_TRANSLATE_NOOP("Core", "null"),
+    QT_TRANSLATE_NOOP("Core", "is compressed; unpack it first (gunzip -c x.svgz > x.svg)"),
+    QT_TRANSLATE_NOOP("Core", "has no curve to show"),
+    QT_TRANSLATE_NOOP("Core", "has coordinates beyond 1e50, the largest supported"),
+    QT_TRANSLATE_NOOP("Core", "is too small to be seen"),
+    QT_TRANSLATE_NOOP("Core", "there are no fonts here"),
+    QT_TRANSLATE_NOOP("Core", "is a font without outlines"),
+    QT_TRANSLATE_NOOP("Core", "has no outline, it is blank"),
+    QT_TRANSLATE_NOOP("Core", "expected one character after the family's name"),
+    QT_TRANSLATE_NOOP("Core", "expected a code such as U+0061 after U+"),
+    QT_TRANSLATE_NOOP("Core", "no picture of this size can be made"),
+    QT_TRANSLATE_NOOP("Core", "the end"),
+    QT_TRANSLATE_NOOP("Core", "no title, \"# ...\""),
+    QT_TRANSLATE_NOOP("Core", "no step, \"## ...\""),
+    QT_TRANSLATE_NOOP("Core", "a block before the first step"),
+    QT_TRANSLATE_NOOP("Core", "a second block in one step"),
+    QT_TRANSLATE_NOOP("Core", "the block is not closed by ```"),
+    QT_TRANSLATE_NOOP("Core", "the block is empty"),
+    QT_TRANSLATE_NOOP("Core", "a step without a title"),
+    QT_TRANSLATE_NOOP("Core", "expected a text"),
+    QT_TRANSLATE_NOOP("Core", "expected a number"),
+    QT_TRANSLATE_NOOP("Core", "expected true or false"),
     // flatland/curve: families, kinds, and why an edit or a formula is refused; flatland/features
     QT_TRANSLATE_NOOP("Core", "Circle"),
     QT_TRANSLATE_NOOP("Core", "Ellipse"),
@@ -233,7 +319,13 @@ namespace {
 }  // namespace
 
 QString coreWords(const std::string& english) {
-  return QCoreApplication::translate("Core", english.c_str());
+  const QString text = QCoreApplication::translate("Core", english.c_str());
+  if (text != QString::fromStdString(english)) return text;
+  return sentenceInWords(QString::fromStdString(english)).value_or(text);
+}
+
+FigureWords wordsOfTheWindow() {
+  return [](const std::string& english) { return coreWords(english).toStdString(); };
 }
 
 }  // namespace flatland::ui

@@ -15,11 +15,11 @@ Probe::Probe(const Document& document, QObject* parent) : QObject(parent), docum
   remember();
 }
 
-std::optional<Probe::Place> Probe::home() const {
+std::optional<Probe::Place> Probe::home(std::size_t curve) const {
   constexpr double kShare = 0.69;  // of the curve
   const auto& curves = document_.scene().curves;
-  if (curves.empty()) return std::nullopt;
-  return Place{0, kShare * pieceCount(curves[0].shape)};
+  if (curve >= curves.size()) return std::nullopt;
+  return Place{curve, kShare * pieceCount(curves[curve].shape)};
 }
 
 void Probe::remember() {
@@ -65,7 +65,7 @@ std::optional<Probe::Reading> Probe::readingAt(const Scene& scene, const Place& 
   if (!(jet.d1.squaredNorm() > 0.0)) return std::nullopt;
   const ViewFrame view = frameOf(scene.view);
   const int side = normalSide(curve, view);
-  return Reading{jet, frameOf(jet, side), side, termsAt(jet, view, side)};
+  return Reading{jet, frameOf(jet, side), side, termsAt(jet, view, side), lengthScale(curve.shape)};
 }
 
 std::optional<double> Probe::valueOf(const Reading& reading, ProfileQuantity quantity) {
@@ -86,7 +86,7 @@ std::optional<double> Probe::valueOf(const Reading& reading, ProfileQuantity qua
     case ProfileQuantity::Ratio:
       break;
   }
-  return termRatioAt(terms);
+  return termRatioAt(terms, reading.size);
 }
 
 void Probe::follow(const Change& change) {
@@ -96,8 +96,9 @@ void Probe::follow(const Change& change) {
   } else if (!place_) {
     return;
   } else {
-    place_ = valid(place_);
-    if (place_ && change.what == Change::What::Topology) {
+    const std::optional<Place> kept = valid(place_);
+    place_ = kept ? kept : home();  // another curve may be left when its own is gone
+    if (kept && change.what == Change::What::Topology) {
       // Parameters count anew; the shape may not have changed at all.
       place_->t = nearestPoint(document_.scene().curves[place_->curve].shape, point_).t;
     }

@@ -11,8 +11,8 @@
 namespace flatland::ui {
 
 /// The one place on a curve that canvas, plots, lesson and numbers all look at. Follows the curve
-/// when points move, stays in place when points are inserted or removed, leaves when its curve
-/// does, and begins at home() in another scene.
+/// when points move, stays in place when points are inserted or removed, goes home()
+/// when its curve leaves, and begins at home() in another scene.
 class Probe : public QObject {
   Q_OBJECT
 
@@ -30,6 +30,7 @@ class Probe : public QObject {
     Frame frame;  ///< with the side of normalSide()
     int side;
     Terms terms;
+    double size;  ///< of the curve, a length to judge others by
   };
 
   /// At any place of a scene, which must exist; nullopt where the curve has no tangent.
@@ -49,9 +50,9 @@ class Probe : public QObject {
   /// open one. Starts in the middle of the first curve if there was no place.
   void moveBy(double share);
 
-  /// Where the probe is put in a scene just opened: on its first curve, off the marks; nullopt
-  /// without curves.
-  std::optional<Place> home() const;
+  /// Where the probe is put on a curve just added or, the first one, in a scene just opened: off
+  /// the marks; nullopt if there is no such curve.
+  std::optional<Place> home(std::size_t curve = 0) const;
 
   /// Computed anew at each call; cheap.
   std::optional<Reading> reading() const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace flatland::ui {
@@ -140,6 +141,27 @@ SceneCurve Stage::newCurve(const Vec2& centre) const {
     points.emplace_back(roundedLike(place.x(), radius_, 3), roundedLike(place.y(), radius_, 3));
   }
   return {.shape = BezierChain(Bezier{std::move(points)})};
+}
+
+Vec2 Stage::besideTheOthers(const Curve& curve) const {
+  constexpr double kGap = 0.2;  // of the radius of the scene
+  const auto& curves = document_.scene().curves;
+  if (curves.empty()) return Vec2::Zero();
+  const Bounds others = boundsOf(document_.scene()), own = boundsOf(curve);
+  const bool clear = (own.low.array() > others.high.array()).any() ||
+                     (own.high.array() < others.low.array()).any();
+  if (clear) return Vec2::Zero();
+  // Along the screen, on the side that is nearer, until one of the axes keeps the boxes apart.
+  const Vec2 axis = frameOf(document_.scene().view).axis;
+  const Vec2 away = axis.dot(own.centre() - others.centre()) < 0.0 ? Vec2(-axis) : axis;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int k : {0, 1}) {
+    const double gap = kGap * radius_;
+    if (away[k] > 0.0) least = std::min(least, (others.high[k] + gap - own.low[k]) / away[k]);
+    if (away[k] < 0.0) least = std::min(least, (others.low[k] - gap - own.high[k]) / away[k]);
+  }
+  const Vec2 delta = least * away;
+  return {roundedLike(delta.x(), radius_, 3), roundedLike(delta.y(), radius_, 3)};
 }
 
 void Stage::renew() {

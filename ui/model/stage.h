@@ -50,6 +50,10 @@ class Stage : public QObject {
   /// A curve to begin with, of this size, around `centre`; its numbers are short.
   SceneCurve newCurve(const Vec2& centre) const;
 
+  /// How far to move a curve that is to be added so that it lies beside those there are, as the
+  /// viewer sees them; zero where it lies clear of them already. Short numbers.
+  Vec2 besideTheOthers(const Curve& curve) const;
+
   /// Takes the size of the scene now, if not held.
   void renew();
 

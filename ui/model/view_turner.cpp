@@ -27,6 +27,14 @@ void ViewTurner::turnByStep(double degrees) {
   turnTo(degrees * (std::floor(now + kOnMultiple) + 1.0));
 }
 
+void ViewTurner::turnTo(double angleDeg, Probe& probe, const Probe::Place& place) {
+  View view = document_.scene().view;
+  view.angleDeg = normalizedDeg(angleDeg);
+  document_.push(
+      std::make_unique<SetViewAndProbe>(document_, view, probe, place, isActive() ? gesture_ : 0));
+  probe.setPlace(place);  // also where the view was that already, so that there is no step
+}
+
 void ViewTurner::end() {
   if (!isActive()) return;
   start_.reset();

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ui/model/document.h"
+#include "ui/model/probe.h"
 #include "ui/model/stage.h"
 
 namespace flatland::ui {
@@ -29,6 +30,9 @@ class ViewTurner {
   /// To the next whole multiple of |degrees| in the direction of its sign, so that a step there and
   /// one back is where it began. Precondition: not 0.
   void turnByStep(double degrees);
+
+  /// The same, and the probe at a place: undo brings back both.
+  void turnTo(double angleDeg, Probe& probe, const Probe::Place& place);
 
   void end();
 

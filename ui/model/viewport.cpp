@@ -50,6 +50,11 @@ void Viewport::fit(const Bounds& box) {
   set(box.centre(), fitScale_);
 }
 
+bool Viewport::holds(const Bounds& box) const {
+  const QRectF window(QPointF(0.0, 0.0), size_);
+  return window.contains(toWidget(box.low)) && window.contains(toWidget(box.high));
+}
+
 void Viewport::panBy(const QPointF& pixels) {
   if (pixels.isNull()) return;
   fitted_ = false;

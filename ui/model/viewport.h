@@ -32,6 +32,9 @@ class Viewport : public QObject {
   /// unit scale.
   void fit(const Bounds& box);
 
+  /// Whether the whole box is in the window.
+  bool holds(const Bounds& box) const;
+
   void panBy(const QPointF& pixels);
   void centreOn(const Vec2& world);
 

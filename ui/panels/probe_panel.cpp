@@ -177,7 +177,7 @@ void ProbePanel::addSeen(QGridLayout& grid) {
   addRow(grid, row++, 1, "probe.ratio", tr("Ratio"),
          tr("Size of the offset term against the feature term, without unit"),
          [](const Reading& r) {
-           const auto value = termRatioAt(r.terms);
+           const auto value = termRatioAt(r.terms, r.size);
            return value ? Said{text(*value), {}} : Said{{}, tr("The feature term is 0 here.")};
          });
 }

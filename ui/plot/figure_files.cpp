@@ -11,6 +11,7 @@
 #include "ui/model/paths.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/figure_writers.h"
+#include "ui/model/core_sentences.h"
 
 namespace flatland::ui {
 
@@ -69,7 +70,7 @@ QString exportFigureFile(QWidget* parent, const FigureFile& contents) {
   try {
     writeFigureFile(toPath(name), contents);
   } catch (const InputError& error) {
-    return QString::fromStdString(error.what());
+    return errorForPeople(error);
   }
   return FigureFiles::tr("Exported to %1").arg(QDir::toNativeSeparators(name));
 }

@@ -13,6 +13,7 @@
 #include "flatland/io/limits_text.h"
 #include "flatland/io/scene_json.h"
 #include "ui/plot/figure_files.h"
+#include "ui/plot/limits_words.h"
 
 namespace flatland::ui {
 
@@ -260,35 +261,7 @@ QString LimitsPanel::explanation() const {
   }
   const auto& series = view_->series();
   if (!series) return {};
-  switch (series->limitCase) {
-    case LimitCase::FixedPoint:
-      return tr(
-          "λ = k²/(n·w)²: slope −2. The feature term falls with n·w, the offset term stays. "
-          "At n·w = 0 the equation is singular and says nothing, but λ grows without bound "
-          "towards it: its supremum lies there, and the silhouette is drawn as such.");
-    case LimitCase::OrdinarySilhouette:
-      return tr(
-          "n·w falls as k s, and k cancels: λ = 1/s², whatever the curvature. The feature "
-          "term vanishes with s, the offset term does not: near a silhouette there is no "
-          "apparent ridge.");
-    case LimitCase::SilhouetteAtInflection:
-      return tr(
-          "k and n·w vanish together: k as s, n·w as s². λ = 4/s², four times as fast as at "
-          "an ordinary silhouette, and the offset term is twice the feature term.");
-    case LimitCase::HigherContact:
-      return tr("k vanishes as a power m of s, n·w as the power m + 1: λ = (m + 1)²/s².");
-    case LimitCase::CuspSeenAcross:
-      return tr("At a cusp k grows as 1/√s while n·w does not vanish: λ grows as 1/s only.");
-    case LimitCase::CuspSeenAlong:
-      return tr(
-          "At a cusp that points along the line of sight k grows as 1/√s and n·w falls as "
-          "√s: λ = 1/(4 s²).");
-    case LimitCase::Merging:
-      break;
-  }
-  return tr(
-      "Seen along the tangent of an inflection, two apparent ridges meet and leave as two "
-      "silhouettes. On both sides their distance is √(2 angle / |k′|): slope 1/2.");
+  return explanationOf(series->limitCase);
 }
 
 void LimitsPanel::exportDiagram() {

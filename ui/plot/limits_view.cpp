@@ -1,51 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/limits_view.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 
 #include "ui/export/figure_qt.h"
+#include "ui/model/core_words.h"
 #include "ui/model/theme.h"
+#include "ui/plot/limits_words.h"
 
 namespace flatland::ui {
-
-namespace {
-
-struct LimitsWords {
-  Q_DECLARE_TR_FUNCTIONS(LimitsWords)
-};
-
-}  // namespace
-
-QString nameForPeople(LimitQuantity quantity) {
-  switch (quantity) {
-    case LimitQuantity::Lambda:
-      return LimitsWords::tr("λ");
-    case LimitQuantity::Feature:
-      return LimitsWords::tr("|feature|");
-    case LimitQuantity::Offset:
-      return LimitsWords::tr("|offset|");
-    case LimitQuantity::Ratio:
-      return LimitsWords::tr("|offset| / |feature|");
-    case LimitQuantity::RidgeDistance:
-      return LimitsWords::tr("apparent ridge to the merging");
-    case LimitQuantity::SilhouetteDistance:
-      break;
-  }
-  return LimitsWords::tr("silhouette to the merging");
-}
-
-QString xNameForPeople(LimitExperiment experiment) {
-  switch (experiment) {
-    case LimitExperiment::Turn:
-      return LimitsWords::tr("|n·w|");
-    case LimitExperiment::Walk:
-      return LimitsWords::tr("arc length to the silhouette");
-    case LimitExperiment::Slide:
-      break;
-  }
-  return LimitsWords::tr("angle to the merging, radians");
-}
 
 LimitsView::LimitsView(const Display& display, QWidget* parent)
     : QWidget(parent), display_(display) {
@@ -78,6 +41,7 @@ LimitsFigureOptions LimitsView::options() const {
   options.width = width() / display_.uiScale();
   options.height = height() / display_.uiScale();
   options.palette = themePalette();
+  options.words = wordsOfTheWindow();
   options.law = std::min(law_, series_->laws.size() - 1);
   options.markedX = markedX_;
   options.xName = xNameForPeople(series_->experiment).toStdString();

@@ -41,8 +41,4 @@ class LimitsView : public QWidget {
   std::optional<double> markedX_;
 };
 
-/// What a law is of, and what its x is, for people.
-QString nameForPeople(LimitQuantity quantity);
-QString xNameForPeople(LimitExperiment experiment);
-
 }  // namespace flatland::ui

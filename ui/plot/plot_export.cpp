@@ -16,6 +16,7 @@
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
 #include "flatland/io/profile_text.h"
+#include "ui/model/core_sentences.h"
 #include "ui/model/paths.h"
 #include "ui/plot/profile_drawing.h"
 #include "ui/plot/profile_words.h"
@@ -205,7 +206,7 @@ void PlotExporter::exportPlot(PlotKind kind) {
   try {
     write(kind, toPath(name), how);
   } catch (const InputError& error) {
-    emit failed(QString::fromStdString(error.what()));
+    emit failed(errorForPeople(error));
     return;
   }
   emit said(tr("Exported to %1").arg(QDir::toNativeSeparators(name)));

@@ -107,8 +107,7 @@ ProfileDrawing::ProfileDrawing(QCustomPlot& plot, PlotKind kind)
       kind_(kind),
       printedDots_(nullptr),
       probeLine_(new QCPItemStraightLine(&plot)),
-      probeDots_(nullptr),
-      note_(new QCPItemText(&plot)) {
+      probeDots_(nullptr) {
   plot_.setAntialiasedElements(QCP::aeAll);
   plot_.setNoAntialiasingOnDrag(false);
   plot_.addLayer("marks", plot_.layer("grid"), QCustomPlot::limAbove);
@@ -131,10 +130,6 @@ ProfileDrawing::ProfileDrawing(QCustomPlot& plot, PlotKind kind)
   probeDots_->setLayer("probe");
   probeDots_->setLineStyle(QCPGraph::lsNone);
   probeDots_->removeFromLegend();
-  note_->setLayer("symbols");
-  note_->position->setType(QCPItemPosition::ptAxisRectRatio);
-  note_->position->setCoords(0.0, 0.0);
-  note_->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
   const bool log = kind_ == PlotKind::Lambda || kind_ == PlotKind::Ratio;
   plot_.yAxis->setScaleType(log ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
   plot_.yAxis->setNumberPrecision(4);
@@ -149,13 +144,6 @@ void ProfileDrawing::setLook(const Look& look) {
   probeLine_->setPen(QPen(colours.probe, 1.6 * look_.scale));
   probeDots_->setScatterStyle({QCPScatterStyle::ssCircle, QPen(colours.background, 1.0),
                                QBrush(colours.probe), kProbeDotPx * look_.scale});
-  note_->setFont(plot_.font());
-  note_->setColor(colours.text);
-  note_->setPadding(QMargins(4, 1, 4, 1));
-  // A veil, so that the words stay readable over lines.
-  QColor veil = colours.background;
-  veil.setAlpha(190);
-  note_->setBrush(veil);
   for (auto& [key, graph] : symbols_) {
     graph->setScatterStyle(symbolStyle(key.first, key.second, look_));
   }
@@ -187,7 +175,6 @@ void ProfileDrawing::show(const Plots& plots) {
                               ? ProfileWords::tr("arc length u")
                               : ProfileWords::tr("screen coordinate");
   plot_.xAxis->setLabel(look_.onPaper ? against : QString());
-  plot_.yAxis->setLabel(look_.onPaper ? titleOf(kind_) : QString());
   const bool several = plots.quantitiesOf(kind_).size() > 1;
   plot_.legend->setVisible(look_.onPaper && several);
   plot_.axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
@@ -304,19 +291,21 @@ void ProfileDrawing::showRange(const Plots& plots) {
   showTicks();
   placeSymbols(plots);
   showPrintedRoots(plots);
+  plot_.yAxis->setLabel(look_.onPaper ? heading() : QString());
+}
+
+QString ProfileDrawing::heading() const {
+  const QString title = titleOf(kind_);
   switch (axis_.scale) {
     case PlotAxis::Scale::Linear:
-      note_->setText({});
       break;
     case PlotAxis::Scale::Log:
-      note_->setText(ProfileWords::tr("log"));
-      break;
+      return ProfileWords::tr("%1, log").arg(title);
     case PlotAxis::Scale::Asinh:
-      note_->setText(ProfileWords::tr("asinh, linear to ±%1")
-                         .arg(powerText(static_cast<int>(std::lround(std::log10(axis_.linear))))));
-      break;
+      return ProfileWords::tr("%1, asinh, linear to ±%2")
+          .arg(title, powerText(static_cast<int>(std::lround(std::log10(axis_.linear)))));
   }
-  note_->setVisible(!note_->text().isEmpty());
+  return title;
 }
 
 void ProfileDrawing::showTicks() {

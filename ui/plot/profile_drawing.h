@@ -51,6 +51,8 @@ class ProfileDrawing {
   /// The roots of the misprinted (3.13) as they stand on the plot: (abscissa, position on the y
   /// axis).
   std::vector<QPointF> printedRoots() const;
+  /// What is drawn, and how its axis is divided where that is not evenly.
+  QString heading() const;
   /// In the abscissa; nullopt where it is not shown.
   std::optional<double> probeX() const;
 
@@ -78,7 +80,6 @@ class ProfileDrawing {
   QCPItemStraightLine* unity_ = nullptr;
   QCPItemStraightLine* probeLine_;
   QCPGraph* probeDots_;
-  QCPItemText* note_;
 };
 
 }  // namespace flatland::ui

@@ -3,17 +3,17 @@
 
 #include <qcustomplot.h>
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPointingDevice>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/flat/wheel.h"
 #include "ui/model/theme.h"
+#include "ui/panels/wrap_row.h"
 #include "ui/plot/profile_words.h"
 
 namespace flatland::ui {
@@ -57,7 +57,7 @@ ProfilePlot::ProfilePlot(Plots& plots, PlotKind kind, QWidget* parent)
   values_->setToolTip(tr("The values at the probe"));
   values_->setTextFormat(Qt::RichText);
   values_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  values_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  values_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   plot_->setAccessibleName(titleOf(kind));
   plot_->setAccessibleDescription(explanation(kind));
   plot_->setToolTip(
@@ -68,14 +68,17 @@ ProfilePlot::ProfilePlot(Plots& plots, PlotKind kind, QWidget* parent)
   plot_->setMinimumHeight(0);
   plot_->installEventFilter(this);
   setFocusProxy(plot_);
-  auto* header = new QHBoxLayout;
-  header->setContentsMargins(4, 0, 8, 0);
-  header->addWidget(title_);
-  header->addWidget(values_, 1);
+  title_->setContentsMargins(4, 0, 12, 0);
+  values_->setContentsMargins(4, 0, 8, 0);
+  // Where type is large the values go below the title; what is too long even so is cut.
+  auto* header = new WrapRow(this);
+  header->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  header->add(title_);
+  header->add(values_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2, 1, 2, 2);
   layout->setSpacing(0);
-  layout->addLayout(header);
+  layout->addWidget(header);
   layout->addWidget(plot_, 1);
   connect(plot_, &QCustomPlot::afterReplot, this, [this] { ++replots_; });
   connect(&plots_, &Plots::changed, this, [this] { need(LookPart | LinesPart); });
@@ -130,6 +133,7 @@ void ProfilePlot::update_() {
     if (parts & RangePart) drawing_->showRange(plots_);
     drawing_->showProbe(plots_);
   }
+  title_->setText(drawing_->heading());
   showValues();
   plot_->replot(QCustomPlot::rpQueuedRefresh);
 }
@@ -214,8 +218,7 @@ bool ProfilePlot::move(const QMouseEvent& event) {
 }
 
 bool ProfilePlot::wheel(const QWheelEvent& event) {
-  const bool touchpad = event.device()->type() == QInputDevice::DeviceType::TouchPad;
-  if (touchpad && !event.modifiers().testFlag(Qt::ControlModifier)) {
+  if (!wheelZoomsHere(event, plots_.display())) {
     const QPoint pixels = event.pixelDelta().isNull() ? event.angleDelta() / 8 : event.pixelDelta();
     if (std::abs(pixels.y()) > std::abs(pixels.x())) return false;  // for the panel to scroll
     plots_.panBy(abscissaAt(0.0) - abscissaAt(pixels.x()));

@@ -6,17 +6,19 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "ui/model/paths.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/panels/elided_label.h"
+#include "ui/panels/wrap_row.h"
 #include "ui/plot/figure_files.h"
 
 namespace flatland::ui {
@@ -40,12 +42,11 @@ StudyPanel::StudyPanel(const CanvasModels& models, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 2);
   layout->setSpacing(3);
-  layout->addLayout(buildForm());
-  layout->addLayout(buildTools());
+  layout->addWidget(buildForm());
+  layout->addWidget(buildTools());
   layout->addWidget(view_, 1);
-  state_ = new QLabel(this);
+  state_ = new ElidedLabel(this);
   state_->setObjectName("study.state");
-  state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   layout->addWidget(state_);
   setFocusProxy(run_);
 
@@ -74,17 +75,12 @@ QPushButton* StudyPanel::addButton(const char* id, const QString& text, const QS
   return button;
 }
 
-QLayout* StudyPanel::buildForm() {
-  auto* grid = new QGridLayout;
-  grid->setSpacing(3);
-  const auto add = [&](int row, int column, const QString& name, QWidget* field, const char* id,
-                       const QString& tip, int span = 1) {
-    auto* label = new QLabel(name, this);
-    label->setBuddy(field);
+QWidget* StudyPanel::buildForm() {
+  auto* row = new WrapRow(this);
+  const auto add = [row](const QString& name, QWidget* field, const char* id, const QString& tip) {
     field->setObjectName(id);
     field->setToolTip(tip);
-    grid->addWidget(label, row, column);
-    grid->addWidget(field, row, column + 1, 1, span);
+    row->add(name, field);
   };
   curves_ = new QSpinBox(this);
   curves_->setRange(1, kMostCurves);
@@ -104,14 +100,13 @@ QLayout* StudyPanel::buildForm() {
   convention_->addItem(tr("arc length"));
   convention_->addItem(tr("parameter"));
   convention_->addItem(tr("unnormalised"));
-  add(0, 0, tr("&Curves"), curves_, "study.curves", tr("How many random curves"));
-  add(0, 2, tr("Po&ints"), points_, "study.points", tr("Control points of each curve, 3 to 9"));
-  add(0, 4, tr("&Seed"), seed_, "study.seed",
-      tr("Which random curves: the same seed, the same curves"));
-  add(1, 0, tr("U&nits"), convention_, "study.convention",
+  add(tr("&Curves"), curves_, "study.curves", tr("How many random curves"));
+  add(tr("Po&ints"), points_, "study.points", tr("Control points of each curve, 3 to 9"));
+  add(tr("&Seed"), seed_, "study.seed", tr("Which random curves: the same seed, the same curves"));
+  add(tr("U&nits"), convention_, "study.convention",
       tr("arc length: as derived, without dimension. parameter: derivative of k by t. "
          "unnormalised: also the normal as long as the derivative"));
-  add(1, 2, tr("Sc&ale"), scale_, "study.scale",
+  add(tr("Sc&ale"), scale_, "study.scale",
       tr("Side of the square the control points are drawn from, for example in pixels"));
   run_ = addButton("study.run", tr("&Run"), tr("Measure the curves; again: stop"));
   connect(run_, &QPushButton::clicked, this, [this] {
@@ -121,16 +116,12 @@ QLayout* StudyPanel::buildForm() {
       start();
     }
   });
-  grid->addWidget(run_, 1, 4, 1, 2);
-  grid->setColumnStretch(1, 2);
-  grid->setColumnStretch(3, 2);
-  grid->setColumnStretch(5, 1);
-  return grid;
+  row->add(run_);
+  return row;
 }
 
-QLayout* StudyPanel::buildTools() {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(3);
+QWidget* StudyPanel::buildTools() {
+  auto* row = new WrapRow(this);
   diagram_ = new QComboBox(this);
   diagram_->setObjectName("study.diagram");
   diagram_->addItem(tr("Ratio"));
@@ -162,11 +153,10 @@ QLayout* StudyPanel::buildTools() {
   connect(table_, &QPushButton::clicked, this, &StudyPanel::writeTable);
   export_ = addButton("study.export", tr("&Export…"), tr("Write the diagram as a picture"));
   connect(export_, &QPushButton::clicked, this, &StudyPanel::exportPicture);
-  row->addWidget(diagram_);
-  row->addWidget(slide_, 1);
-  row->addWidget(progress_, 1);
-  row->addWidget(table_);
-  row->addWidget(export_);
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{diagram_, slide_, progress_, table_, export_}) {
+    row->add(widget);
+  }
   return row;
 }
 
@@ -216,7 +206,7 @@ void StudyPanel::exportPicture() {
 void StudyPanel::showScale() {
   const bool mixed = view_->diagram() == StudyDiagram::Conventions;
   slide_->setVisible(mixed);
-  progress_->setVisible(!mixed || source_.isRunning());
+  progress_->setVisible(source_.isRunning());  // an empty one looks like a field to type in
   view_->setScale(scaleAt(slide_->value()));
 }
 

@@ -37,8 +37,8 @@ class StudyPanel : public QWidget {
   void said(const QString& text);
 
  private:
-  QLayout* buildForm();
-  QLayout* buildTools();
+  QWidget* buildForm();
+  QWidget* buildTools();
   QPushButton* addButton(const char* id, const QString& text, const QString& tip);
   void start();
   void writeTable();

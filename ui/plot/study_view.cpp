@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "ui/export/figure_qt.h"
+#include "ui/model/core_words.h"
 #include "ui/model/theme.h"
 
 namespace flatland::ui {
@@ -43,6 +44,7 @@ StudyFigureOptions StudyView::options() const {
   options.height = height() / display_.uiScale();
   options.diagram = diagram_;
   options.palette = themePalette();
+  options.words = wordsOfTheWindow();
   options.scale = scale_;
   options.selectedBin = selected_;
   return options;

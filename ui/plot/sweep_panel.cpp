@@ -10,6 +10,8 @@
 
 #include "flatland/io/scene_json.h"
 #include "flatland/io/sweep_text.h"
+#include "ui/panels/elided_label.h"
+#include "ui/panels/wrap_row.h"
 #include "ui/plot/figure_files.h"
 
 namespace flatland::ui {
@@ -30,11 +32,10 @@ SweepPanel::SweepPanel(const CanvasModels& models, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 2);
   layout->setSpacing(3);
-  layout->addLayout(buildTools());
+  layout->addWidget(buildTools());
   layout->addWidget(view_, 1);
-  state_ = new QLabel(this);
+  state_ = new ElidedLabel(this);
   state_->setObjectName("sweep.state");
-  state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   layout->addLayout(buildFooter());
   setFocusProxy(view_);
 
@@ -67,7 +68,7 @@ QToolButton* SweepPanel::addTool(const char* id, const QString& text, const QStr
   return button;
 }
 
-QLayout* SweepPanel::buildTools() {
+QWidget* SweepPanel::buildTools() {
   angle_ = new QDoubleSpinBox(this);
   angle_->setObjectName("sweep.angle");
   angle_->setDecimals(4);
@@ -92,8 +93,7 @@ QLayout* SweepPanel::buildTools() {
   speed_->setAccessibleName(tr("Speed"));
   connect(speed_, &QDoubleSpinBox::valueChanged, &player_, &ViewPlayer::setSpeed);
 
-  auto* row = new QHBoxLayout;
-  row->setSpacing(3);
+  auto* row = new WrapRow(this);
   QToolButton* previous =
       addTool("sweep.previous", QStringLiteral("◂"),
               tr("Turn to the previous event of an apparent ridge (Ctrl+Left)"));
@@ -105,9 +105,8 @@ QLayout* SweepPanel::buildTools() {
                   tr("Turn the view once around (Space); Esc returns to the view before"));
   connect(play_, &QToolButton::clicked, this, &SweepPanel::togglePlay);
   for (QWidget* widget : std::initializer_list<QWidget*>{previous, angle_, next, play_, speed_}) {
-    row->addWidget(widget);
+    row->add(widget);
   }
-  row->addStretch(1);
   return row;
 }
 

@@ -32,7 +32,7 @@ class SweepPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  QLayout* buildTools();
+  QWidget* buildTools();
   QLayout* buildFooter();
   QToolButton* addTool(const char* id, const QString& text, const QString& tip);
   void togglePlay();

@@ -16,8 +16,9 @@ double halfTurnFrom(double low, double angleDeg) {
   return angleDeg + 180.0 * std::ceil((low - angleDeg) / 180.0);
 }
 
+/// To a power of ten that no pixel can tell from the exact value: at most a tenth of one.
 double rounded(double value, double pixel) {
-  const double unit = std::pow(10.0, std::floor(std::log10(pixel)));
+  const double unit = std::pow(10.0, std::floor(std::log10(pixel)) - 1.0);
   return std::round(value / unit) * unit;
 }
 

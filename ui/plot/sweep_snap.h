@@ -12,7 +12,7 @@ const SweepEvent* foldNear(const SweepData& data, const SweepAxes& axes, const V
 
 /// The place a click at `px` means: the ring, or the line or branch at the click's angle that is
 /// nearest above or below it, if within `reachPx`; else the position itself. The angle is rounded
-/// to what a pixel can tell. nullopt without curves.
+/// to less than a tenth of a pixel. nullopt without curves.
 std::optional<SweepAxes::Place> snappedPlace(const SweepData& data, const SweepAxes& axes,
                                              const Vec2& px, double reachPx);
 

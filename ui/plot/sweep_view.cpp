@@ -10,7 +10,10 @@
 #include <cmath>
 
 #include "ui/export/figure_qt.h"
+#include "ui/flat/wheel.h"
+#include "ui/model/core_words.h"
 #include "ui/model/theme.h"
+#include "ui/plot/sweep_overlay.h"
 #include "ui/plot/sweep_snap.h"
 
 namespace flatland::ui {
@@ -59,6 +62,7 @@ SweepFigureOptions SweepView::options() const {
     options.kinds.set(static_cast<std::size_t>(MarkKind::ApparentMinimum));
   }
   options.palette = themePalette();
+  options.words = wordsOfTheWindow();
   options.legend = options.height >= kLegendFromPx;
   options.window = window_;
   if (source_.data() && source_.data()->visibility && source_.data()->visibility->marked) {
@@ -124,59 +128,16 @@ void SweepView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.save();
   painter.scale(scale(), scale());
-  paintOverlay(painter, *a);
+  paintSweepOverlay(painter, models_, *source_.data(), *a,
+                    {.width = width() / scale(),
+                     .fold = hovering_ ? eventAt(hover_) : nullptr,
+                     .pointer = toFigure(hover_)});
   painter.restore();
   if (hasFocus()) {
     QStyleOptionFocusRect focus;
     focus.initFrom(this);
     focus.rect = rect().adjusted(1, 1, -1, -1);
     style()->drawPrimitive(QStyle::PE_FrameFocusRect, &focus, &painter, this);
-  }
-}
-
-// The view and the probe as lines, and the ring under the pointer.
-void SweepView::paintOverlay(QPainter& painter, const SweepAxes& axes) {
-  const SceneColours& colours = sceneColours(themePalette());
-  const SweepAxes::Box& box = axes.box();
-  painter.save();
-  painter.setClipRect(
-      QRectF(QPointF(box.left - 1, box.top - 1), QPointF(box.right + 1, box.bottom + 1)));
-  const double x = axes.x(normalizedDeg(models_.document.scene().view.angleDeg));
-  painter.setPen(QPen(toQColor(colours.screen), 2.0, Qt::DashLine));
-  painter.drawLine(QPointF(x, box.top), QPointF(x, box.bottom));
-  const auto& place = models_.probe.place();
-  const SweepData& shown = *source_.data();
-  // A probe on the new curve has no place on the axis of an earlier one.
-  if (place && place->curve < shown.scene.curves.size() &&
-      shown.scene.curves[place->curve] == models_.document.scene().curves[place->curve]) {
-    const int curve = static_cast<int>(place->curve);
-    const double y = axes.y(curve, shown.lengthAt(curve, place->t));
-    painter.setPen(QPen(toQColor(colours.text), 1.2, Qt::DotLine));
-    painter.drawLine(QPointF(box.left, y), QPointF(box.right, y));
-    painter.setBrush(toQColor(colours.background));
-    painter.setPen(QPen(toQColor(colours.text), 1.6));
-    painter.drawEllipse(QPointF(x, y), 3.5, 3.5);
-  }
-  painter.restore();
-  const SweepEvent* fold = hovering_ ? eventAt(hover_) : nullptr;
-  const QString angle = tr("%1°").arg(models_.document.scene().view.angleDeg, 0, 'f', 2);
-  const auto label = [&](const QPointF& at, const QString& text) {
-    QFont font = painter.font();
-    font.setPixelSize(12);
-    painter.setFont(font);
-    QRectF around = QFontMetricsF(font).boundingRect(text).adjusted(-4, -2, 4, 2);
-    around.moveCenter(at);
-    const double left = std::max(2.0, std::min(around.left(), width() / scale() - around.width()));
-    around.moveLeft(left);
-    painter.setPen(QPen(toQColor(colours.text), 1.0));
-    painter.setBrush(toQColor(colours.background));
-    painter.drawRoundedRect(around, 3, 3);
-    painter.drawText(around, Qt::AlignCenter, text);
-  };
-  if (x >= box.left - 1 && x <= box.right + 1) label({x, box.top - 11.0}, angle);
-  if (fold) {
-    const Vec2 at = toFigure(hover_);
-    label({at.x(), at.y() - 18.0}, tr("born or merged at %1°").arg(fold->angleDeg, 0, 'f', 3));
   }
 }
 
@@ -205,9 +166,9 @@ void SweepView::goTo(const QPointF& widget) {
   if (!a) return;
   const auto place = snappedPlace(*source_.data(), *a, toFigure(widget), kReachPx);
   if (!place) return;
-  turner_.turnTo(place->angleDeg);
-  models_.probe.setPlace(Probe::Place{static_cast<std::size_t>(place->curve),
-                                      source_.data()->parameterAt(place->curve, place->u)});
+  turner_.turnTo(place->angleDeg, models_.probe,
+                 Probe::Place{static_cast<std::size_t>(place->curve),
+                              source_.data()->parameterAt(place->curve, place->u)});
 }
 
 void SweepView::mousePressEvent(QMouseEvent* event) {
@@ -215,6 +176,7 @@ void SweepView::mousePressEvent(QMouseEvent* event) {
     panning_ = event->position();
   } else if (event->button() == Qt::LeftButton) {
     turner_.begin();
+    before_ = models_.probe.place();
     goTo(event->position());
   }
 }
@@ -223,17 +185,8 @@ void SweepView::mouseMoveEvent(QMouseEvent* event) {
   hover_ = event->position();
   hovering_ = true;
   if (panning_) {
-    if (const auto a = axes()) {
-      const Vec2 from = toFigure(*panning_), to = toFigure(hover_);
-      SweepWindow window = a->window();
-      const double degrees = (from.x() - to.x()) / (a->box().right - a->box().left) *
-                             (window.angleHigh - window.angleLow);
-      const double lengths =
-          (to.y() - from.y()) / (a->box().bottom - a->box().top) * (window.uHigh - window.uLow);
-      setWindow({window.angleLow + degrees, window.angleHigh + degrees, window.uLow + lengths,
-                 window.uHigh + lengths});
-      panning_ = hover_;
-    }
+    moveBy(hover_ - *panning_);
+    panning_ = hover_;
   } else if (turner_.isActive() && event->buttons().testFlag(Qt::LeftButton)) {
     const auto a = axes();
     const auto place = a ? snappedPlace(*source_.data(), *a, toFigure(hover_), 0.0) : std::nullopt;
@@ -245,7 +198,10 @@ void SweepView::mouseMoveEvent(QMouseEvent* event) {
 
 void SweepView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::MiddleButton) panning_.reset();
-  if (event->button() == Qt::LeftButton) turner_.end();
+  if (event->button() == Qt::LeftButton) {
+    turner_.end();
+    before_.reset();
+  }
 }
 
 void SweepView::leaveEvent(QEvent*) {
@@ -258,8 +214,25 @@ void SweepView::wheelEvent(QWheelEvent* event) {
   const double notches = (event->angleDelta().y() + event->angleDelta().x()) / kWheelNotch;
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
   const bool ctrl = event->modifiers().testFlag(Qt::ControlModifier);
-  zoom(event->position(), std::pow(1.2, notches), !shift, !ctrl);
+  if (!shift && !wheelZoomsHere(*event, models_.display)) {
+    const QPoint pixels = event->pixelDelta();
+    moveBy(pixels.isNull() ? QPointF(event->angleDelta()) / 8.0 : QPointF(pixels));
+  } else {
+    zoom(event->position(), std::pow(1.2, notches), !shift, !ctrl);
+  }
   event->accept();
+}
+
+void SweepView::moveBy(const QPointF& pixels) {
+  const auto a = axes();
+  if (!a) return;
+  const Vec2 by = toFigure(pixels);
+  SweepWindow window = a->window();
+  const double degrees =
+      -by.x() / (a->box().right - a->box().left) * (window.angleHigh - window.angleLow);
+  const double lengths = by.y() / (a->box().bottom - a->box().top) * (window.uHigh - window.uLow);
+  setWindow({window.angleLow + degrees, window.angleHigh + degrees, window.uLow + lengths,
+             window.uHigh + lengths});
 }
 
 void SweepView::zoom(const QPointF& widget, double factor, bool angles, bool lengths) {
@@ -348,6 +321,7 @@ void SweepView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape:
       if (turner_.isActive()) {
         turner_.cancel();
+        if (before_) models_.probe.setPlace(before_);
       } else {
         emit escaped();
       }

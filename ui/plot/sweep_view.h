@@ -65,11 +65,11 @@ class SweepView : public QWidget {
   Vec2 toFigure(const QPointF& widget) const;
   void redraw();
   void goTo(const QPointF& widget);
+  void moveBy(const QPointF& pixels);
   void zoom(const QPointF& widget, double factor, bool angles, bool lengths);
   void setWindow(SweepWindow window);
   const SweepEvent* eventAt(const QPointF& widget) const;
   QString describe(const QPointF& widget) const;
-  void paintOverlay(QPainter& painter, const SweepAxes& axes);
 
   CanvasModels models_;
   const SweepSource& source_;
@@ -79,6 +79,7 @@ class SweepView : public QWidget {
   QPointF hover_;
   bool hovering_ = false;
   std::optional<QPointF> panning_;
+  std::optional<Probe::Place> before_;  ///< the probe when the drag began
 };
 
 }  // namespace flatland::ui

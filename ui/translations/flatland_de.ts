@@ -528,7 +528,7 @@
     </message>
     <message>
         <source>Apparent ridges</source>
-        <translation type="unfinished">Scheinbare Grate</translation>
+        <translation>Scheinbare Grate</translation>
     </message>
     <message>
         <source>Principal highlights</source>
@@ -540,11 +540,11 @@
     </message>
     <message>
         <source>Ridges</source>
-        <translation type="unfinished">Grate</translation>
+        <translation>Grate</translation>
     </message>
     <message>
         <source>Valleys</source>
-        <translation type="unfinished">Täler</translation>
+        <translation>Täler</translation>
     </message>
     <message>
         <source>Parabolic lines</source>
@@ -606,6 +606,594 @@
         <source>bumpy sphere</source>
         <translation>Bucklige Kugel</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not known: %2</source>
+        <translation>&quot;%1&quot; ist unbekannt: %2</translation>
+    </message>
+    <message>
+        <source>%1 needs its argument in ( )</source>
+        <translation>%1 braucht sein Argument in ( )</translation>
+    </message>
+    <message>
+        <source>%1 needs two arguments with a comma between them</source>
+        <translation>%1 braucht zwei Argumente mit einem Komma dazwischen</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; a decimal is written with a point</source>
+        <translation>%1 nimmt %2; Dezimalzahlen werden mit Punkt geschrieben</translation>
+    </message>
+    <message>
+        <source>an operator is missing before &quot;%1&quot;; a product is written 2*t</source>
+        <translation>vor &quot;%1&quot; fehlt ein Rechenzeichen; ein Produkt schreibt man 2*t</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot stand here</source>
+        <translation>&quot;%1&quot; darf hier nicht stehen</translation>
+    </message>
+    <message>
+        <source>the formula is longer than %1 characters</source>
+        <translation>die Formel ist länger als %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>the domain must end above %1</source>
+        <translation>der Bereich muss über %1 enden</translation>
+    </message>
+    <message>
+        <source>%1 is beyond 1e50 at t = %2</source>
+        <translation>%1 liegt bei t = %2 jenseits von 1e50</translation>
+    </message>
+    <message>
+        <source>%1 has no finite value at t = %2</source>
+        <translation>%1 hat bei t = %2 keinen endlichen Wert</translation>
+    </message>
+    <message>
+        <source>%1 grows beyond all bounds at t = %2</source>
+        <translation>%1 wächst bei t = %2 über alle Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3</source>
+        <translation>%1 muss von %2 bis %3 reichen</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number</source>
+        <translation>%1 muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>weight %1 is not above 0</source>
+        <translation>Gewicht %1 ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>a degree of %1 is below 1</source>
+        <translation>ein Grad von %1 liegt unter 1</translation>
+    </message>
+    <message>
+        <source>degree %1 is above %2, the highest supported</source>
+        <translation>Grad %1 liegt über %2, dem höchsten erlaubten</translation>
+    </message>
+    <message>
+        <source>degree %1 with %2 points: %3</source>
+        <translation>Grad %1 mit %2 Punkten: %3</translation>
+    </message>
+    <message>
+        <source>a closed chain of m pieces needs %1 m points (the first is not repeated)</source>
+        <translation>eine geschlossene Kette von m Stücken braucht %1 m Punkte (der erste wird nicht wiederholt)</translation>
+    </message>
+    <message>
+        <source>an open chain of m pieces needs %1 m + 1 points</source>
+        <translation>eine offene Kette von m Stücken braucht %1 m + 1 Punkte</translation>
+    </message>
+    <message>
+        <source>a B-spline of degree %1 needs at least %2 points, found %3</source>
+        <translation>ein B-Spline vom Grad %1 braucht mindestens %2 Punkte, gefunden: %3</translation>
+    </message>
+    <message>
+        <source>a Bezier curve needs at least 2 points, found %1</source>
+        <translation>eine Bézierkurve braucht mindestens 2 Punkte, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected %1 knots for %2 points of degree %3, found %4</source>
+        <translation>erwartet werden %1 Knoten für %2 Punkte vom Grad %3, gefunden: %4</translation>
+    </message>
+    <message>
+        <source>expected %1 weights, one for each point, found %2</source>
+        <translation>erwartet werden %1 Gewichte, eines je Punkt, gefunden: %2</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>Spalte %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, character %2</source>
+        <translation>%1, Zeichen %2</translation>
+    </message>
+    <message>
+        <source>not valid JSON: %1</source>
+        <translation>kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>number %1 is too large for a double</source>
+        <translation>die Zahl %1 ist zu groß</translation>
+    </message>
+    <message>
+        <source>the number %1 is too large</source>
+        <translation>die Zahl %1 ist zu groß</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is there twice</source>
+        <translation>der Schlüssel &quot;%1&quot; steht doppelt da</translation>
+    </message>
+    <message>
+        <source>nested deeper than %1 levels</source>
+        <translation>tiefer als %1 Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>nested deeper than %1</source>
+        <translation>tiefer als %1 Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>missing &quot;%1&quot; or &quot;%2&quot;</source>
+        <translation>es fehlt &quot;%1&quot; oder &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>missing &quot;%1&quot;</source>
+        <translation>es fehlt &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>unknown key %1; known here: %2</source>
+        <translation>unbekannter Schlüssel %1; hier bekannt: %2</translation>
+    </message>
+    <message>
+        <source>a key too many; known here: %1</source>
+        <translation>ein Schlüssel zu viel; hier bekannt: %1</translation>
+    </message>
+    <message>
+        <source>there is no family %1; known: %2</source>
+        <translation>es gibt keine Familie %1; bekannt: %2</translation>
+    </message>
+    <message>
+        <source>expected a whole number, found %1</source>
+        <translation>erwartet wird eine ganze Zahl, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected a degree of at least 1, found %1</source>
+        <translation>erwartet wird ein Grad von mindestens 1, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected a distance above 0, found %1</source>
+        <translation>erwartet wird ein Abstand über 0, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected version 1 or 2, found %1</source>
+        <translation>erwartet wird Version 1 oder 2, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected 2 numbers [x, y], found %1</source>
+        <translation>erwartet werden 2 Zahlen [x, y], gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected 4 numbers, found %1</source>
+        <translation>erwartet werden 4 Zahlen, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected a number after the comma, found %1</source>
+        <translation>nach dem Komma wird eine Zahl erwartet, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected a path command, found %1</source>
+        <translation>erwartet wird ein Pfadbefehl, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>a path begins with M or m, found %1</source>
+        <translation>ein Pfad beginnt mit M oder m, gefunden: %1</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation>erwartet: %1, gefunden: %2</translation>
+    </message>
+    <message>
+        <source>%1 is beyond %2, the largest length supported</source>
+        <translation>%1 liegt über %2, der größten erlaubten Länge</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; came with version 2; write &quot;flatland&quot;: 2</source>
+        <translation>&quot;%1&quot; gibt es seit Version 2; dafür &quot;flatland&quot;: 2 schreiben</translation>
+    </message>
+    <message>
+        <source>has both &quot;%1&quot; and &quot;%2&quot;; give one</source>
+        <translation>hat sowohl &quot;%1&quot; als auch &quot;%2&quot;; nur eines angeben</translation>
+    </message>
+    <message>
+        <source>version %1 was made by a newer Flatland; this one reads up to version %2</source>
+        <translation>Version %1 stammt von einem neueren Flatland; dieses liest bis Version %2</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ist nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>ist nicht schreibbar: %1</translation>
+    </message>
+    <message>
+        <source>cannot be replaced: %1</source>
+        <translation>lässt sich nicht ersetzen: %1</translation>
+    </message>
+    <message>
+        <source>is not well-formed XML: %1</source>
+        <translation>ist kein wohlgeformtes XML: %1</translation>
+    </message>
+    <message>
+        <source>is not SVG: its outermost element is %1</source>
+        <translation>ist kein SVG: das äußerste Element ist %1</translation>
+    </message>
+    <message>
+        <source>has no curve to show; %1</source>
+        <translation>enthält keine Kurve; %1</translation>
+    </message>
+    <message>
+        <source>has %1 pieces, more than the %2 that the window can follow; flatland features takes them all</source>
+        <translation>hat %1 Stücke, mehr als die %2, denen das Fenster folgen kann; flatland features nimmt sie alle</translation>
+    </message>
+    <message>
+        <source>there is no such font here; the nearest names are %1</source>
+        <translation>diese Schrift gibt es hier nicht; die ähnlichsten Namen: %1</translation>
+    </message>
+    <message>
+        <source>the font has no glyph for %1; %2</source>
+        <translation>die Schrift hat kein Zeichen für %1; %2</translation>
+    </message>
+    <message>
+        <source>more than %1 steps</source>
+        <translation>mehr als %1 Schritte</translation>
+    </message>
+    <message>
+        <source>no such preset; there are %1</source>
+        <translation>kein solches Beispiel; es gibt %1</translation>
+    </message>
+    <message>
+        <source>no such panel; there are %1</source>
+        <translation>keine solche Tafel; es gibt %1</translation>
+    </message>
+    <message>
+        <source>no such equation; there are %1</source>
+        <translation>keine solche Gleichung; es gibt %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2</source>
+        <translation>&quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>Silhouettes</source>
+        <translation>Silhouetten</translation>
+    </message>
+    <message>
+        <source>Inflections</source>
+        <translation>Wendepunkte</translation>
+    </message>
+    <message>
+        <source>Flat points</source>
+        <translation>Flachpunkte</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Apparent minima</source>
+        <translation>Scheinbare Minima</translation>
+    </message>
+    <message>
+        <source>Born or merged</source>
+        <translation>Geboren oder verschmolzen</translation>
+    </message>
+    <message>
+        <source>view direction (orthographic)</source>
+        <translation>Blickrichtung (orthografisch)</translation>
+    </message>
+    <message>
+        <source>arc length</source>
+        <translation>Bogenlänge</translation>
+    </message>
+    <message>
+        <source>no power law here</source>
+        <translation>hier kein Potenzgesetz</translation>
+    </message>
+    <message>
+        <source>predicted slope %1</source>
+        <translation>vorhergesagte Steigung %1</translation>
+    </message>
+    <message>
+        <source>fitted %1</source>
+        <translation>angepasst %1</translation>
+    </message>
+    <message>
+        <source>medians of %1 curves</source>
+        <translation>Mediane von %1 Kurven</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 Paare</translation>
+    </message>
+    <message>
+        <source>median %1</source>
+        <translation>Median %1</translation>
+    </message>
+    <message>
+        <source>quartiles %1, %2</source>
+        <translation>Quartile %1, %2</translation>
+    </message>
+    <message>
+        <source>thesis: 1/100,000</source>
+        <translation>Dissertation: 1/100.000</translation>
+    </message>
+    <message>
+        <source>square of side %1</source>
+        <translation>Quadrat mit Seite %1</translation>
+    </message>
+    <message>
+        <source>|offset| / |feature|</source>
+        <translation>|Versatz| / |Merkmal|</translation>
+    </message>
+    <message>
+        <source>|offset| / |feature|, the same curves in three kinds of unit</source>
+        <translation>|Versatz| / |Merkmal|, dieselben Kurven in drei Arten von Einheiten</translation>
+    </message>
+    <message>
+        <source>apparent ridge to its ridge or valley, on the screen / length of the curve</source>
+        <translation>scheinbarer Grat bis zu seinem Grat oder Tal, auf dem Schirm / Länge der Kurve</translation>
+    </message>
+    <message>
+        <source>arc-length</source>
+        <translation>Bogenlänge</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>unnormalised</source>
+        <translation>nicht normiert</translation>
+    </message>
+    <message>
+        <source>there is no such function</source>
+        <translation>eine solche Funktion gibt es nicht</translation>
+    </message>
+    <message>
+        <source>neither t, pi, e nor a constant</source>
+        <translation>weder t, pi, e noch eine Konstante</translation>
+    </message>
+    <message>
+        <source>the curve turns too often for its domain</source>
+        <translation>die Kurve windet sich zu oft für ihren Bereich</translation>
+    </message>
+    <message>
+        <source>one argument</source>
+        <translation>ein Argument</translation>
+    </message>
+    <message>
+        <source>two arguments</source>
+        <translation>zwei Argumente</translation>
+    </message>
+    <message>
+        <source>a closed chain needs at least 2 points</source>
+        <translation>eine geschlossene Kette braucht mindestens 2 Punkte</translation>
+    </message>
+    <message>
+        <source>the largest weight is more than a million times the smallest</source>
+        <translation>das größte Gewicht ist mehr als millionenmal so groß wie das kleinste</translation>
+    </message>
+    <message>
+        <source>top level</source>
+        <translation>oberste Ebene</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>not UTF-8 text</source>
+        <translation>kein UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>ist nicht schreibbar</translation>
+    </message>
+    <message>
+        <source>cannot be written to the end</source>
+        <translation>ist nicht bis zum Ende schreibbar</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Gerät</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>larger than 64 MiB, too large for a scene</source>
+        <translation>größer als 64 MiB, zu groß für eine Szene</translation>
+    </message>
+    <message>
+        <source>larger than 16 MiB, too large for a drawing</source>
+        <translation>größer als 16 MiB, zu groß für eine Zeichnung</translation>
+    </message>
+    <message>
+        <source>larger than 1 MiB, too large for a lesson</source>
+        <translation>größer als 1 MiB, zu groß für eine Lektion</translation>
+    </message>
+    <message>
+        <source>missing &quot;flatland&quot;: 1, which marks a scene and its version</source>
+        <translation>es fehlt &quot;flatland&quot;: 1, das eine Szene und ihre Version kennzeichnet</translation>
+    </message>
+    <message>
+        <source>missing &quot;curves&quot;</source>
+        <translation>es fehlt &quot;curves&quot;</translation>
+    </message>
+    <message>
+        <source>not a finite number</source>
+        <translation>keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>expected 2 numbers [x, y]</source>
+        <translation>erwartet werden 2 Zahlen [x, y]</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a number or a string</source>
+        <translation>eine Zahl oder ein Text</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>wahr oder falsch (true, false)</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a list of points [x, y]</source>
+        <translation>eine Liste von Punkten [x, y]</translation>
+    </message>
+    <message>
+        <source>a point [x, y]</source>
+        <translation>ein Punkt [x, y]</translation>
+    </message>
+    <message>
+        <source>a list of curves</source>
+        <translation>eine Liste von Kurven</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>null</translation>
+    </message>
+    <message>
+        <source>is compressed; unpack it first (gunzip -c x.svgz &gt; x.svg)</source>
+        <translation>ist gepackt; zuerst entpacken (gunzip -c x.svgz &gt; x.svg)</translation>
+    </message>
+    <message>
+        <source>has no curve to show</source>
+        <translation>enthält keine Kurve</translation>
+    </message>
+    <message>
+        <source>has coordinates beyond 1e50, the largest supported</source>
+        <translation>hat Koordinaten über 1e50, dem größten erlaubten Wert</translation>
+    </message>
+    <message>
+        <source>is too small to be seen</source>
+        <translation>ist zu klein, um sichtbar zu sein</translation>
+    </message>
+    <message>
+        <source>there are no fonts here</source>
+        <translation>hier gibt es keine Schriften</translation>
+    </message>
+    <message>
+        <source>is a font without outlines</source>
+        <translation>ist eine Schrift ohne Umrisse</translation>
+    </message>
+    <message>
+        <source>has no outline, it is blank</source>
+        <translation>hat keinen Umriss, es ist leer</translation>
+    </message>
+    <message>
+        <source>expected one character after the family&apos;s name</source>
+        <translation>nach dem Namen der Schrift wird ein Zeichen erwartet</translation>
+    </message>
+    <message>
+        <source>expected a code such as U+0061 after U+</source>
+        <translation>nach U+ wird ein Code wie U+0061 erwartet</translation>
+    </message>
+    <message>
+        <source>no picture of this size can be made</source>
+        <translation>ein Bild dieser Größe ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>das Ende</translation>
+    </message>
+    <message>
+        <source>no title, &quot;# ...&quot;</source>
+        <translation>kein Titel, &quot;# ...&quot;</translation>
+    </message>
+    <message>
+        <source>no step, &quot;## ...&quot;</source>
+        <translation>kein Schritt, &quot;## ...&quot;</translation>
+    </message>
+    <message>
+        <source>a block before the first step</source>
+        <translation>ein Block vor dem ersten Schritt</translation>
+    </message>
+    <message>
+        <source>a second block in one step</source>
+        <translation>ein zweiter Block in einem Schritt</translation>
+    </message>
+    <message>
+        <source>the block is not closed by ```</source>
+        <translation>der Block ist nicht mit ``` geschlossen</translation>
+    </message>
+    <message>
+        <source>the block is empty</source>
+        <translation>der Block ist leer</translation>
+    </message>
+    <message>
+        <source>a step without a title</source>
+        <translation>ein Schritt ohne Titel</translation>
+    </message>
+    <message>
+        <source>expected a text</source>
+        <translation>erwartet wird ein Text</translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation>erwartet wird eine Zahl</translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation>erwartet wird true oder false</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
@@ -644,10 +1232,6 @@
     <message>
         <source>&amp;Add Curve</source>
         <translation>Kurve &amp;hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add a curve in the middle of the picture</source>
-        <translation>Eine Kurve in der Mitte des Bildes hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Remove Curve</source>
@@ -694,16 +1278,20 @@
         <translation>&amp;Neu</translation>
     </message>
     <message>
-        <source>Add such a curve in the middle of the picture; the panel Curve has its numbers</source>
-        <translation>Eine solche Kurve in der Mitte des Bildes hinzufügen; der Bereich Kurve hat ihre Zahlen</translation>
-    </message>
-    <message>
         <source>Import &amp;Glyph…</source>
         <translation>&amp;Glyphe importieren …</translation>
     </message>
     <message>
         <source>Add the outline of a letter to this scene</source>
         <translation>Den Umriss eines Buchstabens zu dieser Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a curve beside those there are</source>
+        <translation>Eine Kurve neben den vorhandenen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add such a curve beside those there are; the panel Curve has its numbers</source>
+        <translation>Eine solche Kurve neben den vorhandenen hinzufügen; der Bereich Kurve hat ihre Zahlen</translation>
     </message>
 </context>
 <context>
@@ -862,7 +1450,7 @@
     </message>
     <message>
         <source>Drag a point to bend the curve, or the eye to turn the view. H shows all keys.</source>
-        <translation>Ziehen Sie einen Punkt, um die Kurve zu biegen, oder das Auge, um die Ansicht zu drehen. H zeigt alle Tasten.</translation>
+        <translation>Punkt ziehen: Kurve biegen. Auge ziehen: Ansicht drehen. H: alle Tasten.</translation>
     </message>
     <message>
         <source>Moving %1 by (%2). Ctrl: along one axis. Alt: leave the handles. Esc: take it back.</source>
@@ -1220,6 +1808,34 @@
     <message>
         <source>angle to the merging, radians</source>
         <translation>Winkel bis zur Verschmelzung, Bogenmaß</translation>
+    </message>
+    <message>
+        <source>λ = k²/(n·w)²: slope −2. The feature term falls with n·w, the offset term stays. At n·w = 0 the equation is singular and says nothing, but λ grows without bound towards it: its supremum lies there, and the silhouette is drawn as such.</source>
+        <translation>λ = k²/(n·w)²: Steigung −2. Der Merkmalsterm fällt mit n·w, der Versatzterm bleibt. Bei n·w = 0 ist die Gleichung singulär und sagt nichts, aber λ wächst dorthin ohne Grenze: Dort liegt sein Supremum, und die Silhouette wird als solche gezeichnet.</translation>
+    </message>
+    <message>
+        <source>n·w falls as k s, and k cancels: λ = 1/s², whatever the curvature. The feature term vanishes with s, the offset term does not: near a silhouette there is no apparent ridge.</source>
+        <translation>n·w fällt wie k s, und k kürzt sich: λ = 1/s², gleich welche Krümmung. Der Merkmalsterm verschwindet mit s, der Versatzterm nicht: Nahe einer Silhouette gibt es keinen scheinbaren Grat.</translation>
+    </message>
+    <message>
+        <source>k and n·w vanish together: k as s, n·w as s². λ = 4/s², four times as fast as at an ordinary silhouette, and the offset term is twice the feature term.</source>
+        <translation>k und n·w verschwinden zusammen: k wie s, n·w wie s². λ = 4/s², viermal so schnell wie an einer gewöhnlichen Silhouette, und der Versatzterm ist das Doppelte des Merkmalsterms.</translation>
+    </message>
+    <message>
+        <source>k vanishes as a power m of s, n·w as the power m + 1: λ = (m + 1)²/s².</source>
+        <translation>k verschwindet wie eine Potenz m von s, n·w wie die Potenz m + 1: λ = (m + 1)²/s².</translation>
+    </message>
+    <message>
+        <source>At a cusp k grows as 1/√s while n·w does not vanish: λ grows as 1/s only.</source>
+        <translation>An einer Spitze wächst k wie 1/√s, während n·w nicht verschwindet: λ wächst nur wie 1/s.</translation>
+    </message>
+    <message>
+        <source>At a cusp that points along the line of sight k grows as 1/√s and n·w falls as √s: λ = 1/(4 s²).</source>
+        <translation>An einer Spitze, die entlang der Sehlinie zeigt, wächst k wie 1/√s und n·w fällt wie √s: λ = 1/(4 s²).</translation>
+    </message>
+    <message>
+        <source>Seen along the tangent of an inflection, two apparent ridges meet and leave as two silhouettes. On both sides their distance is √(2 angle / |k′|): slope 1/2.</source>
+        <translation>Entlang der Tangente eines Wendepunkts gesehen treffen sich zwei scheinbare Grate und gehen als zwei Silhouetten auseinander. Auf beiden Seiten ist ihr Abstand √(2 Winkel / |k′|): Steigung 1/2.</translation>
     </message>
 </context>
 <context>
@@ -1604,14 +2220,6 @@
         <translation>Schirmkoordinate</translation>
     </message>
     <message>
-        <source>log</source>
-        <translation>log</translation>
-    </message>
-    <message>
-        <source>asinh, linear to ±%1</source>
-        <translation>asinh, linear bis ±%1</translation>
-    </message>
-    <message>
         <source>Curvature k</source>
         <translation>Krümmung k</translation>
     </message>
@@ -1662,6 +2270,14 @@
     <message>
         <source>ratio</source>
         <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>%1, log</source>
+        <translation>%1, logarithmisch</translation>
+    </message>
+    <message>
+        <source>%1, asinh, linear to ±%2</source>
+        <translation>%1, asinh, linear bis ±%2</translation>
     </message>
 </context>
 <context>
@@ -1722,6 +2338,17 @@
     <message>
         <source>turn view</source>
         <translation>Ansicht drehen</translation>
+    </message>
+</context>
+<context>
+    <name>SweepWords</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>born or merged at %1°</source>
+        <translation>geboren oder verschmolzen bei %1°</translation>
     </message>
 </context>
 <context>
@@ -1888,6 +2515,17 @@
     <message>
         <source>Converted within %1; cubic pieces: %2.</source>
         <translation>Auf %1 genau umgewandelt; kubische Stücke: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::DockTitle</name>
+    <message>
+        <source>Move the panel out of the window</source>
+        <translation>Den Bereich aus dem Fenster lösen</translation>
+    </message>
+    <message>
+        <source>Close; the View menu opens it again</source>
+        <translation>Schließen; das Menü Ansicht öffnet ihn wieder</translation>
     </message>
 </context>
 <context>
@@ -2236,6 +2874,14 @@
         <source>Scenes and drawings (*.json *.svg);;All files (*)</source>
         <translation>Szenen und Zeichnungen (*.json *.svg);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Save the scene that took the place of %1 (%2)?</source>
+        <translation>Die Szene speichern, die an die Stelle von %1 getreten ist (%2)?</translation>
+    </message>
+    <message>
+        <source>It is lost otherwise.</source>
+        <translation>Sie geht sonst verloren.</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::FlatCanvas</name>
@@ -2578,12 +3224,12 @@
 <context>
     <name>flatland::ui::Layouts</name>
     <message>
-        <source>Esc leaves projector mode</source>
-        <translation>Esc beendet den Projektor</translation>
-    </message>
-    <message>
         <source>Back to the window as it was (Esc or F11)</source>
         <translation>Zurück zum Fenster, wie es war (Esc oder F11)</translation>
+    </message>
+    <message>
+        <source>Esc: leave</source>
+        <translation>Esc: verlassen</translation>
     </message>
 </context>
 <context>
@@ -2709,6 +3355,10 @@
         <source>How far the printed roots miss</source>
         <translation>Wie weit die gedruckten Nullstellen danebenliegen</translation>
     </message>
+    <message>
+        <source> · undone: your own scene</source>
+        <translation> · zurückgenommen: Ihre eigene Szene</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::LimitsPanel</name>
@@ -2783,34 +3433,6 @@
     <message>
         <source>These limits are those of a viewer infinitely far away; switch perspective off to turn the view by n·w.</source>
         <translation>Diese Grenzfälle gelten für einen unendlich fernen Betrachter; schalten Sie die Perspektive aus, um die Ansicht über n·w zu drehen.</translation>
-    </message>
-    <message>
-        <source>λ = k²/(n·w)²: slope −2. The feature term falls with n·w, the offset term stays. At n·w = 0 the equation is singular and says nothing, but λ grows without bound towards it: its supremum lies there, and the silhouette is drawn as such.</source>
-        <translation>λ = k²/(n·w)²: Steigung −2. Der Merkmalsterm fällt mit n·w, der Versatzterm bleibt. Bei n·w = 0 ist die Gleichung singulär und sagt nichts, aber λ wächst dorthin ohne Grenze: Dort liegt sein Supremum, und die Silhouette wird als solche gezeichnet.</translation>
-    </message>
-    <message>
-        <source>n·w falls as k s, and k cancels: λ = 1/s², whatever the curvature. The feature term vanishes with s, the offset term does not: near a silhouette there is no apparent ridge.</source>
-        <translation>n·w fällt wie k s, und k kürzt sich: λ = 1/s², gleich welche Krümmung. Der Merkmalsterm verschwindet mit s, der Versatzterm nicht: Nahe einer Silhouette gibt es keinen scheinbaren Grat.</translation>
-    </message>
-    <message>
-        <source>k and n·w vanish together: k as s, n·w as s². λ = 4/s², four times as fast as at an ordinary silhouette, and the offset term is twice the feature term.</source>
-        <translation>k und n·w verschwinden zusammen: k wie s, n·w wie s². λ = 4/s², viermal so schnell wie an einer gewöhnlichen Silhouette, und der Versatzterm ist das Doppelte des Merkmalsterms.</translation>
-    </message>
-    <message>
-        <source>k vanishes as a power m of s, n·w as the power m + 1: λ = (m + 1)²/s².</source>
-        <translation>k verschwindet wie eine Potenz m von s, n·w wie die Potenz m + 1: λ = (m + 1)²/s².</translation>
-    </message>
-    <message>
-        <source>At a cusp k grows as 1/√s while n·w does not vanish: λ grows as 1/s only.</source>
-        <translation>An einer Spitze wächst k wie 1/√s, während n·w nicht verschwindet: λ wächst nur wie 1/s.</translation>
-    </message>
-    <message>
-        <source>At a cusp that points along the line of sight k grows as 1/√s and n·w falls as √s: λ = 1/(4 s²).</source>
-        <translation>An einer Spitze, die entlang der Sehlinie zeigt, wächst k wie 1/√s und n·w fällt wie √s: λ = 1/(4 s²).</translation>
-    </message>
-    <message>
-        <source>Seen along the tangent of an inflection, two apparent ridges meet and leave as two silhouettes. On both sides their distance is √(2 angle / |k′|): slope 1/2.</source>
-        <translation>Entlang der Tangente eines Wendepunkts gesehen treffen sich zwei scheinbare Grate und gehen als zwei Silhouetten auseinander. Auf beiden Seiten ist ihr Abstand √(2 Winkel / |k′|): Steigung 1/2.</translation>
     </message>
     <message>
         <source>limits</source>
@@ -3687,7 +4309,7 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <name>flatland::ui::SurfaceArea</name>
     <message>
         <source>Progress</source>
-        <translation type="unfinished">Fortschritt</translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4033,14 +4655,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>Computing…</source>
         <translation>Rechnet …</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>born or merged at %1°</source>
-        <translation>geboren oder verschmolzen bei %1°</translation>
     </message>
     <message>
         <source>An apparent ridge is born or merges with a minimum at %1°, arc length %2</source>

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/model/core_sentences.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <vector>
+
+#include "ui/model/core_words.h"
+
+namespace flatland::ui {
+
+namespace {
+
+// The first that fits counts, so the more particular one stands first.
+constexpr const char* kSentences[] = {
+    // flatland/curve/expression.cpp, formula_curve.cpp, families.cpp
+    QT_TRANSLATE_NOOP("Core", "\"%1\" is not known: %2"),
+    QT_TRANSLATE_NOOP("Core", "%1 needs its argument in ( )"),
+    QT_TRANSLATE_NOOP("Core", "%1 needs two arguments with a comma between them"),
+    QT_TRANSLATE_NOOP("Core", "%1 takes %2; a decimal is written with a point"),
+    QT_TRANSLATE_NOOP("Core", "an operator is missing before \"%1\"; a product is written 2*t"),
+    QT_TRANSLATE_NOOP("Core", "\"%1\" cannot stand here"),
+    QT_TRANSLATE_NOOP("Core", "the formula is longer than %1 characters"),
+    QT_TRANSLATE_NOOP("Core", "the domain must end above %1"),
+    QT_TRANSLATE_NOOP("Core", "%1 is beyond 1e50 at t = %2"),
+    QT_TRANSLATE_NOOP("Core", "%1 has no finite value at t = %2"),
+    QT_TRANSLATE_NOOP("Core", "%1 grows beyond all bounds at t = %2"),
+    QT_TRANSLATE_NOOP("Core", "%1 is not a finite number"),
+    QT_TRANSLATE_NOOP("Core", "%1 must be from %2 to %3"),
+    QT_TRANSLATE_NOOP("Core", "%1 must be a whole number"),
+    QT_TRANSLATE_NOOP("Core", "weight %1 is not above 0"),
+    // flatland/curve
+    QT_TRANSLATE_NOOP("Core", "a degree of %1 is below 1"),
+    QT_TRANSLATE_NOOP("Core", "degree %1 is above %2, the highest supported"),
+    QT_TRANSLATE_NOOP("Core", "degree %1 with %2 points: %3"),
+    QT_TRANSLATE_NOOP("Core",
+                      "a closed chain of m pieces needs %1 m points (the first is not repeated)"),
+    QT_TRANSLATE_NOOP("Core", "an open chain of m pieces needs %1 m + 1 points"),
+    QT_TRANSLATE_NOOP("Core", "a B-spline of degree %1 needs at least %2 points, found %3"),
+    QT_TRANSLATE_NOOP("Core", "a Bezier curve needs at least 2 points, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected %1 knots for %2 points of degree %3, found %4"),
+    QT_TRANSLATE_NOOP("Core", "expected %1 weights, one for each point, found %2"),
+    // flatland/io, ui/import; places in a file
+    QT_TRANSLATE_NOOP("Core", "line %1, column %2"),
+    QT_TRANSLATE_NOOP("Core", "line %1"),
+    QT_TRANSLATE_NOOP("Core", "column %1: %2"),
+    QT_TRANSLATE_NOOP("Core", "%1, character %2"),
+    QT_TRANSLATE_NOOP("Core", "not valid JSON: %1"),
+    QT_TRANSLATE_NOOP("Core", "number %1 is too large for a double"),
+    QT_TRANSLATE_NOOP("Core", "the number %1 is too large"),
+    QT_TRANSLATE_NOOP("Core", "the key \"%1\" is there twice"),
+    QT_TRANSLATE_NOOP("Core", "nested deeper than %1 levels"),
+    QT_TRANSLATE_NOOP("Core", "nested deeper than %1"),
+    QT_TRANSLATE_NOOP("Core", "missing \"%1\" or \"%2\""),
+    QT_TRANSLATE_NOOP("Core", "missing \"%1\""),
+    QT_TRANSLATE_NOOP("Core", "unknown key %1; known here: %2"),
+    QT_TRANSLATE_NOOP("Core", "a key too many; known here: %1"),
+    QT_TRANSLATE_NOOP("Core", "there is no family %1; known: %2"),
+    QT_TRANSLATE_NOOP("Core", "expected a whole number, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected a degree of at least 1, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected a distance above 0, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected version 1 or 2, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected 2 numbers [x, y], found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected 4 numbers, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected a number after the comma, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected a path command, found %1"),
+    QT_TRANSLATE_NOOP("Core", "a path begins with M or m, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected %1, found %2"),
+    QT_TRANSLATE_NOOP("Core", "%1 is beyond %2, the largest length supported"),
+    QT_TRANSLATE_NOOP("Core", "\"%1\" came with version 2; write \"flatland\": 2"),
+    QT_TRANSLATE_NOOP("Core", "has both \"%1\" and \"%2\"; give one"),
+    QT_TRANSLATE_NOOP("Core",
+                      "version %1 was made by a newer Flatland; this one reads up to version %2"),
+    QT_TRANSLATE_NOOP("Core", "cannot be read: %1"),
+    QT_TRANSLATE_NOOP("Core", "cannot be written: %1"),
+    QT_TRANSLATE_NOOP("Core", "cannot be replaced: %1"),
+    QT_TRANSLATE_NOOP("Core", "is not well-formed XML: %1"),
+    QT_TRANSLATE_NOOP("Core", "is not SVG: its outermost element is %1"),
+    QT_TRANSLATE_NOOP("Core", "has no curve to show; %1"),
+    QT_TRANSLATE_NOOP("Core",
+                      "has %1 pieces, more than the %2 that the window can follow; flatland "
+                      "features takes them all"),
+    QT_TRANSLATE_NOOP("Core", "there is no such font here; the nearest names are %1"),
+    QT_TRANSLATE_NOOP("Core", "the font has no glyph for %1; %2"),
+    QT_TRANSLATE_NOOP("Core", "more than %1 steps"),
+    QT_TRANSLATE_NOOP("Core", "no such preset; there are %1"),
+    QT_TRANSLATE_NOOP("Core", "no such panel; there are %1"),
+    QT_TRANSLATE_NOOP("Core", "no such equation; there are %1"),
+    QT_TRANSLATE_NOOP("Core", "\"%1\": %2"),
+};
+
+struct Sentence {
+  const char* english;
+  QRegularExpression form;
+};
+
+const std::vector<Sentence>& sentences() {
+  static const std::vector<Sentence> kForms = [] {
+    static const QRegularExpression value(QStringLiteral("%[1-9]"));
+    std::vector<Sentence> forms;
+    for (const char* english : kSentences) {
+      QStringList words = QString::fromUtf8(english).split(value);
+      for (QString& part : words) part = QRegularExpression::escape(part);
+      const QString form = words.join(QStringLiteral("(.+?)"));
+      forms.push_back(
+          {english, QRegularExpression(QRegularExpression::anchoredPattern(form),
+                                       QRegularExpression::DotMatchesEverythingOption)});
+    }
+    return forms;
+  }();
+  return kForms;
+}
+
+}  // namespace
+
+std::optional<QString> sentenceInWords(const QString& english) {
+  for (const Sentence& sentence : sentences()) {
+    const QRegularExpressionMatch match = sentence.form.match(english);
+    if (!match.hasMatch()) continue;
+    QString text = QCoreApplication::translate("Core", sentence.english);
+    if (text == QLatin1String(sentence.english)) return std::nullopt;
+    // From the last, so that a value that holds a %1 is not filled in again.
+    for (int i = match.lastCapturedIndex(); i > 0; --i) {
+      const QString slot = QStringLiteral("%%1").arg(i);
+      text.replace(slot, coreWords(match.captured(i).toStdString()));
+    }
+    return text;
+  }
+  return std::nullopt;
+}
+
+QString errorForPeople(const InputError& error) {
+  // what() is source, place and reason, each but the last followed by a colon, if there is one.
+  const std::string whole = error.what();
+  const std::string tail =
+      (error.place().empty() ? std::string() : error.place() + ": ") + error.reason();
+  QString text = QString::fromStdString(whole.substr(0, whole.size() - tail.size()));
+  if (!error.place().empty()) text += coreWords(error.place()) + QStringLiteral(": ");
+  return text + coreWords(error.reason());
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "flatland/io/input_error.h"
+
+namespace flatland::ui {
+
+/// An English sentence of the libraries that has values in it ("degree 30 is above 25, the highest
+/// supported") in the person's language; nullopt if its form is not known, or there is no
+/// translation. The values are translated too, where they are words.
+std::optional<QString> sentenceInWords(const QString& english);
+
+/// Why an input is refused, for a person: source, place and reason, the latter two in the person's
+/// language where their form is known.
+QString errorForPeople(const InputError& error);
+
+}  // namespace flatland::ui
