@@ -223,13 +223,14 @@ class ClassroomTest : public QObject {
     driver.window().resize(1280, 800);
     driver.settle();
     auto& table = driver.child<QTableView>("marks.table");
-    auto& title = driver.child<QLabel>("legend.title");
+    auto& title = driver.child<QLabel>("dock.legend.title");
     const int row = table.rowHeight(0), letters = title.fontMetrics().height();
     const int height = title.height();
     driver.canvasKey(Qt::Key_F11);
     QVERIFY(title.fontMetrics().height() > 1.3 * letters);
     QVERIFY(title.height() > 1.3 * height);
-    driver.canvasKey(Qt::Key_F11);
+    driver.canvasKey(Qt::Key_Escape);
+    QVERIFY(!driver.window().display().isProjector());
     driver.settle();
     QCOMPARE(table.rowHeight(0), row);
     QCOMPARE(title.fontMetrics().height(), letters);

@@ -122,6 +122,7 @@ class LessonTest : public QObject {
 
   void undoLeadsToTheStepWhoseSceneComesBack() {
     WindowDriver& d = *driver_;
+    d.document().start(presets()[2].scene, "own");
     const Scene own = d.scene();
     const auto probe = d.window().probe().place();
     LessonModel& lesson = d.window().lesson();

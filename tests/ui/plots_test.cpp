@@ -174,12 +174,14 @@ class PlotsTest : public QObject, private PlotsDriver {
     WindowDriver& d = *driver_;
     const Plots& plots = d.window().plots();
     int with = 0, without = 0;
-    for (const ProfileSample& sample : plots.profile().samples) {
-      const auto reading = Probe::readingAt(d.scene(), {0, sample.t});
-      QVERIFY(reading);
-      const auto value = Probe::valueOf(*reading, ProfileQuantity::Ratio);
-      if (sample.ratio) QVERIFY(value);
-      ++(sample.ratio ? with : without);
+    for (const ProfileSegment& segment : plots.profile().segments) {
+      for (const ProfileSample& sample : segment.samples) {
+        const auto reading = Probe::readingAt(d.scene(), {0, sample.t});
+        QVERIFY(reading);
+        const auto value = Probe::valueOf(*reading, ProfileQuantity::Ratio);
+        if (sample.ratio) QVERIFY(value);
+        ++(sample.ratio ? with : without);
+      }
     }
     QVERIFY(with > 50 && without > 0);
   }

@@ -11,7 +11,7 @@ namespace flatland::ui {
 
 DockTitle::DockTitle(QDockWidget& dock) : QWidget(&dock), text_(new ElidedLabel(this)) {
   text_->setText(dock.windowTitle());
-  text_->setObjectName(dock.objectName() + ".title");
+  text_->setObjectName("dock." + dock.objectName() + ".title");
   QToolButton* floating =
       addButton("float", QStyle::SP_TitleBarNormalButton, tr("Move the panel out of the window"));
   QToolButton* close =
@@ -29,7 +29,7 @@ DockTitle::DockTitle(QDockWidget& dock) : QWidget(&dock), text_(new ElidedLabel(
 
 QToolButton* DockTitle::addButton(const char* id, QStyle::StandardPixmap icon, const QString& tip) {
   auto* button = new QToolButton(this);
-  button->setObjectName(parent()->objectName() + QLatin1Char('.') + QLatin1String(id));
+  button->setObjectName("dock." + parent()->objectName() + QLatin1Char('.') + QLatin1String(id));
   button->setIcon(style()->standardIcon(icon, nullptr, this));
   button->setToolTip(tip);
   button->setAccessibleName(tip);
@@ -47,7 +47,7 @@ void DockTitle::changeEvent(QEvent* event) {
 void DockTitle::fit() {
   const int side = fontMetrics().height();
   for (QToolButton* button : buttons_) {
-    button->setIconSize({side * 2 / 3, side * 2 / 3});
+    button->setIconSize({side * 4 / 5, side * 4 / 5});
     button->setFixedSize(side, side);
   }
 }

@@ -7,10 +7,10 @@
 
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/scene_json.h"
-#include "ui/model/paths.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/figure_writers.h"
 #include "ui/model/core_words.h"
+#include "ui/model/paths.h"
 
 namespace flatland::ui {
 

@@ -149,9 +149,10 @@ void Look::scaleTables(double factor) {
     auto* table = qobject_cast<QTableView*>(widget);
     if (!table) continue;
     QHeaderView& rows = *table->verticalHeader();
-    // From the type, not by the factor: a header keeps its rows as high as its type once was.
+    // From the new type: a table that is hidden has not heard of it yet, and its header would keep
+    // the rows as high as the old one.
     rows.setMinimumSectionSize(1);
-    rows.setDefaultSectionSize(table->fontMetrics().height() + kRowGapPx);
+    rows.setDefaultSectionSize(QFontMetrics(QApplication::font()).height() + kRowGapPx);
     QHeaderView& columns = *table->horizontalHeader();
     for (int i = 0; i < columns.count(); ++i) {
       if (columns.sectionResizeMode(i) == QHeaderView::Interactive) {

@@ -22,9 +22,9 @@
 #include "ui/app/menus.h"
 #include "ui/app/message_bar.h"
 #include "ui/app/panels.h"
-#include "ui/model/paths.h"
 #include "ui/app/status_line.h"
 #include "ui/model/core_sentences.h"
+#include "ui/model/paths.h"
 
 namespace flatland::ui {
 

@@ -143,13 +143,21 @@ class CanvasPainter {
       const QPointF p = at(mark.point);
       labels_.block({p.x(), p.y()}, Vec2::Constant(kSymbolPx));
     }
+    constexpr int kSamples = 32;  // of a piece
+    for (const SceneCurve& curve : models_.document.scene().curves) {
+      for (const Vec2& point : sampledPoints(curve.shape, kSamples)) {
+        const QPointF p = at(point);
+        labels_.discourage({p.x(), p.y()});
+      }
+    }
     const QPointF eye = handlePlace(models_, canvas_).at / scale_;
     labels_.block({eye.x(), eye.y()}, Vec2::Constant(kEyePx));
     if (const auto seen = probeOnScreen(models_)) {
-      constexpr double kReachPx = 240.0, kStepPx = 4.0;
+      constexpr double kReachPx = 240.0, kStepPx = 6.0, kHalfPx = 3.0;
       const Vec2 axis = frameOf(models_.document.scene().view).axis;
       for (double s = -kReachPx; s <= kReachPx; s += kStepPx) {
-        labels_.discourage({seen->x() / scale_ + s * axis.x(), seen->y() / scale_ - s * axis.y()});
+        labels_.block({seen->x() / scale_ + s * axis.x(), seen->y() / scale_ - s * axis.y()},
+                      Vec2::Constant(kHalfPx));
       }
     }
   }

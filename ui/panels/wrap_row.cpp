@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/wrap_row.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -61,10 +62,19 @@ QSize WrapRow::minimumSizeHint() const {
 }
 
 bool WrapRow::event(QEvent* event) {
-  // A field has got another size, has come or gone.
-  if (event->type() == QEvent::LayoutRequest) {
-    arrange();
-    updateGeometry();
+  switch (event->type()) {
+    case QEvent::FontChange:
+      // The fields get it after the row.
+      QCoreApplication::postEvent(this, new QEvent(QEvent::LayoutRequest));
+      break;
+    case QEvent::Show:
+    case QEvent::LayoutRequest:
+      // A field has got another size, has come or gone.
+      arrange();
+      updateGeometry();
+      break;
+    default:
+      break;
   }
   return QWidget::event(event);
 }

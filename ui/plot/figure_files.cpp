@@ -8,10 +8,10 @@
 
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
-#include "ui/model/paths.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/figure_writers.h"
 #include "ui/model/core_sentences.h"
+#include "ui/model/paths.h"
 
 namespace flatland::ui {
 

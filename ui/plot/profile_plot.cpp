@@ -133,21 +133,27 @@ void ProfilePlot::update_() {
     if (parts & RangePart) drawing_->showRange(plots_);
     drawing_->showProbe(plots_);
   }
-  title_->setText(drawing_->heading());
+  // Short, as the numbers stand beside it; the tip has it all.
+  title_->setText(plots_.axisOf(kind_).scale == PlotAxis::Scale::Asinh
+                      ? tr("%1, asinh").arg(titleOf(kind_))
+                      : drawing_->heading());
+  title_->setToolTip(drawing_->heading() + QStringLiteral("\n") + explanation(kind_));
   showValues();
   plot_->replot(QCustomPlot::rpQueuedRefresh);
 }
 
 void ProfilePlot::showValues() {
   QStringList parts;
-  for (const ProfileQuantity quantity : plots_.quantitiesOf(kind_)) {
+  const std::vector<ProfileQuantity> quantities = plots_.quantitiesOf(kind_);
+  const int digits = quantities.size() > 1 ? 3 : 4;  // several shall fit beside each other
+  for (const ProfileQuantity quantity : quantities) {
     const auto value = plots_.probeValue(quantity);
-    const QString number =
-        value ? QString::number(*value, 'g', 4).replace('-', QChar(u'−')) : QStringLiteral("–");
+    const QString number = value ? QString::number(*value, 'g', digits).replace('-', QChar(u'−'))
+                                 : QStringLiteral("–");
     parts << QStringLiteral("<span style='color:%1'>%2&nbsp;%3</span>")
                  .arg(colourOf(quantity, themePalette()).name(), nameForPeople(quantity), number);
   }
-  values_->setText(parts.join(QStringLiteral(" &nbsp;")));
+  values_->setText(parts.join(QStringLiteral("&nbsp; ")));
 }
 
 bool ProfilePlot::eventFilter(QObject* watched, QEvent* event) {

@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "ui/model/paths.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/model/paths.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/wrap_row.h"
 #include "ui/plot/figure_files.h"

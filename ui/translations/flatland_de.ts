@@ -4018,6 +4018,10 @@
         <source>Click or drag: probe. Wheel: zoom. Middle button or Space: move. Double-click: show all. Right button: copy, export.</source>
         <translation>Klick oder Ziehen: Sonde. Mausrad: zoomen. Mittlere Taste oder Leertaste: bewegen. Doppelklick: alles zeigen. Rechte Taste: kopieren, exportieren.</translation>
     </message>
+    <message>
+        <source>%1, asinh</source>
+        <translation>%1, asinh</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::StatusLine</name>
