@@ -15,9 +15,8 @@ namespace flatland::ui {
 /// Puts a diagram together: groups in the order of drawing, lines and words in its colours.
 class FigureBuilder {
  protected:
-  FigureBuilder(double width, double height, Palette palette, double textPx,
-                const FigureWords& words)
-      : colours_(sceneColours(palette)), textPx_(textPx), words_(words) {
+  FigureBuilder(double width, double height, Palette palette, double textPx, FigureWords words = {})
+      : colours_(sceneColours(palette)), textPx_(textPx), words_(std::move(words)) {
     figure_.width = width;
     figure_.height = height;
     figure_.background = colours_.background;
@@ -52,7 +51,7 @@ class FigureBuilder {
 
   const SceneColours& colours_;
   double textPx_;
-  const FigureWords& words_;
+  FigureWords words_;
   Figure figure_;
 };
 
