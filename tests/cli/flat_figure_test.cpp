@@ -197,7 +197,11 @@ TEST(FlatFigure, CrowdedLettersAreThinnedOut) {
     crowd.curves.push_back(one);
     crowd.curves.back().shape = translated(one.shape, Vec2(2.2 * (i % 5), 2.4 * (i / 5)));
   }
-  const Figure figure = figureOf(crowd, {.width = 320.0, .height = 240.0, .legend = false});
+  FlatFigureOptions small;
+  small.width = 320.0;
+  small.height = 240.0;
+  small.legend = false;
+  const Figure figure = figureOf(crowd, small);
   std::vector<Vec2> letters;
   for (const FigureGroup& group : figure.groups) {
     for (const Shape& shape : group.shapes) {
