@@ -2,8 +2,8 @@
 #pragma once
 
 #include <map>
-#include <utility>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "flatland/curve/vec2.h"
