@@ -89,9 +89,9 @@ std::optional<LimitSeries> walkToSilhouette(const Scene& scene, int curve, doubl
 /// Slide at the inflection nearest to the point along the curve. Every root is found anew, by
 /// findFeatures. On a formula on which that takes more than 2 million evaluations there are fewer
 /// views, which end at a larger angle, as `x` says (at least 1.5 decades with 4 views each). Of a
-/// typed formula as dear only what lies up to the second inflection on either side is then searched.
-/// nullopt if the curve has no inflection with k' != 0 that is not at an end, or once `goOn`, which
-/// is asked before each view, says no.
+/// typed formula as dear only what lies up to the second inflection on either side is then
+/// searched. nullopt if the curve has no inflection with k' != 0 that is not at an end, or once
+/// `goOn`, which is asked before each view, says no.
 std::optional<LimitSeries> slideIntoSilhouette(const Scene& scene, int curve, double t,
                                                const std::function<bool()>& goOn = {});
 

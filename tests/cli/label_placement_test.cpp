@@ -126,5 +126,36 @@ TEST(LabelPlacer, AnswersWhereNothingIsFree) {
   EXPECT_TRUE(place.allFinite());
 }
 
+TEST(LabelPlacer, FarThingsOfAnySizeChangeNothingAndNearOnesDo) {
+  // The same letters with and without thousands of things out of their reach, in all four
+  // quadrants.
+  test::Random random(test::announcedSeed("far things", 20070505));
+  const Vec2 half(4, 6);
+  LabelPlacer alone, among;
+  for (int i = 0; i < 5000; ++i) {
+    const double angle = test::uniform(random, -3.2, 3.2), far = test::uniform(random, 300, 2000);
+    const Vec2 at = far * Vec2(std::cos(angle), std::sin(angle));
+    among.block(at, {test::uniform(random, 1, 60), test::uniform(random, 1, 60)});
+    among.discourage(at);
+  }
+  for (int i = 0; i < 60; ++i) {
+    const Vec2 near(test::uniform(random, -90, 90), test::uniform(random, -90, 90));
+    alone.block(near, half);
+    among.block(near, half);
+    const Vec2 anchor(test::uniform(random, -90, 90), test::uniform(random, -90, 90));
+    EXPECT_EQ(alone.place(anchor, half, {0, 1}), among.place(anchor, half, {0, 1})) << i;
+  }
+  // One wide box whose centre is far, but which reaches over the preferred side.
+  LabelPlacer wide;
+  wide.block({500, 20}, {499, 10});
+  EXPECT_LT((wide.place({20, 0}, half, {0, 1})).y(), 10.0);
+}
+
+TEST(LabelPlacer, InACrowdTheLetterIsWherePreferred) {
+  LabelPlacer placer;
+  for (int i = 0; i < 5000; ++i) placer.discourage({0.01 * (i % 100), 0.01 * (i / 100)});
+  EXPECT_EQ(placer.place({0, 0}, {4, 6}, {1, 0}).y(), 0.0);
+}
+
 }  // namespace
 }  // namespace flatland::ui
