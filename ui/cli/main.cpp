@@ -94,6 +94,7 @@ int run(int argc, char** argv) {
   addFieldsCommand(app, action);
   addConvergenceCommand(app, action, commandWithoutFolders(argc, argv));
   addBridgeCommand(app, action, commandWithoutFolders(argc, argv));
+  addSliceCommand(app, action);
   addShotCommand(app, action);
   addPresetsCommand(app, action);
   addImportCommand(app, action);

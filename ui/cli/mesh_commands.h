@@ -11,6 +11,7 @@ namespace flatland::ui {
 void addLinesCommand(CLI::App& app, Action& action, const std::string& commandLine);
 void addFieldsCommand(CLI::App& app, Action& action);
 void addBridgeCommand(CLI::App& app, Action& action, const std::string& commandLine);
+void addSliceCommand(CLI::App& app, Action& action);
 void addConvergenceCommand(CLI::App& app, Action& action, const std::string& commandLine);
 
 }  // namespace flatland::ui
