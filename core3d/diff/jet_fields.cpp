@@ -101,24 +101,30 @@ float sizeAt(LocalFit& fit, double noise) {
 
 // Vertices no two of which are neighbours and that leave no room for more: about every third. Sizes
 // are chosen there and spread, which costs less than choosing everywhere and makes them change
-// slowly from vertex to vertex; where they jump, lines break.
+// slowly from vertex to vertex; where they jump, lines break. Creases have nothing to choose and
+// take the turn of no one beside them.
 std::vector<char> sparseVertices(const VertexNeighbours& neighbours) {
   std::vector<char> chosen(neighbours.onCrease.size(), 1);
   for (std::uint32_t v = 0; v < chosen.size(); ++v) {
+    if (neighbours.onCrease[v]) chosen[v] = 0;
     if (!chosen[v]) continue;
     for (const std::uint32_t q : neighbours.of(v)) chosen[q] = 0;
   }
   return chosen;
 }
 
-// Means over the vertex and its neighbours, of those that have a size. A crease is unresolved
+// Means over the vertex and its neighbours, of those that have a size. A crease stays unresolved
 // whatever lies beside it, and what lies beside it does not get that from it.
 std::vector<float> spread(const std::vector<float>& sizes, const VertexNeighbours& neighbours) {
   std::vector<float> means(sizes.size());
   for (std::uint32_t v = 0; v < sizes.size(); ++v) {
+    if (neighbours.onCrease[v]) {
+      means[v] = kUnresolved;
+      continue;
+    }
     float sum = 2.0f * sizes[v], weight = sizes[v] > 0.0f ? 2.0f : 0.0f;
     for (const std::uint32_t q : neighbours.of(v)) {
-      if (neighbours.onCrease[q] && !neighbours.onCrease[v]) continue;
+      if (neighbours.onCrease[q]) continue;
       sum += sizes[q];
       weight += sizes[q] > 0.0f ? 1.0f : 0.0f;
     }
@@ -181,11 +187,11 @@ SurfaceFields jetFields(const TriangleMesh& mesh, const FieldOptions& options) {
                                                           std::size_t end) mutable {
       for (std::size_t i = begin; i < end; ++i) {
         const auto v = static_cast<std::uint32_t>(i);
-        if (!fit.startAt(v)) continue;
         const double size = sizes[v] * options.scale;
+        const double share = std::clamp((size - kUnresolved) / (kSmallest - kUnresolved), 0.0, 1.0);
+        if (share == 0.0 || !fit.startAt(v)) continue;  // what the one-ring wrote stays
         const SurfacePoint point =
             fit.pointOf(fit.over(std::clamp<double>(size, kSmallest, kWidest)));
-        const double share = std::clamp((size - kUnresolved) / (kSmallest - kUnresolved), 0.0, 1.0);
         fields.set(v, share < 1.0 ? mixed(fields.at(mesh, v), point, share) : point);
       }
     };

@@ -463,6 +463,75 @@ TEST(EstimateFields, AGrooveOneEdgeWideStaysSharp) {
   }
 }
 
+// Heights that go up and down from vertex to vertex beside a plane, from which the noise is known:
+// no polynomial holds there, and where all vertices that choose say so the one-ring stands alone.
+TEST(EstimateFields, WhatNoFitResolvesIsLeftToTheOneRing) {
+  Random random(announcedSeed("WhatNoFitResolves", 407));
+  const TriangleMesh mesh = heightField(40, [&](int i, int j) {
+    return i > 20 ? ((i + j) % 2 == 0 ? 0.15 : -0.15) + uniform(random, -0.02, 0.02) : 0.0;
+  });
+  const SurfaceFields jet = estimateFields(mesh, with(FieldEstimator::JetFit));
+  const SurfaceFields ring = estimateFields(mesh, with(FieldEstimator::OneRing));
+  int compared = 0;
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    // Few points at the border may be met by chance.
+    if (mesh.positionInFile(v).x() < 27.0 || std::max(mesh.x[v], std::abs(mesh.y[v])) > 0.8f)
+      continue;
+    ++compared;
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ((*arraysOf(jet)[i])[v], (*arraysOf(ring)[i])[v]);
+  }
+  EXPECT_GT(compared, 250);
+}
+
+// A bar two cells wide: the middle of each side lies between two edges and is flat all the same.
+TEST(EstimateFields, TheEdgesOfABarLeaveItsSidesFlat) {
+  constexpr int kAround[8][2] = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+  PolygonSoup soup;
+  for (int j = 0; j <= 20; ++j)
+    for (const auto& [x, y] : kAround) soup.addVertex(x, y, j);
+  addGrid(soup, {.columns = 8, .rows = 21, .closedColumns = true});
+  const TriangleMesh mesh = buildMesh(soup).mesh;
+  const SurfaceFields fields = estimateFields(mesh);
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const Eigen::Vector3d p = mesh.positionInFile(v);
+    const bool isMiddle = std::lround(p.x()) == 1 || std::lround(p.y()) == 1;
+    if (isMiddle) {
+      EXPECT_NEAR(fields.k1[v] / mesh.unit, 0.0, 1e-4);
+      EXPECT_NEAR(fields.k2[v] / mesh.unit, 0.0, 1e-4);
+    } else {
+      EXPECT_GT(std::abs(fields.k1[v]) / mesh.unit, 0.2);
+    }
+  }
+}
+
+// All neighbours of the middle of a face lie on its edges.
+TEST(EstimateFields, TheEdgesOfASmallCubeLeaveItsFacesFlat) {
+  PolygonSoup soup;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      const int first = static_cast<int>(soup.vertexCount());
+      for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+          Eigen::Vector3d p;
+          p[axis] = side;
+          p[(axis + 1) % 3] = i;
+          p[(axis + 2) % 3] = j;
+          soup.addVertex(p.x(), p.y(), p.z());
+        }
+      }
+      addGrid(soup, {.first = first, .columns = 3, .rows = 3, .turned = side < 0});
+    }
+  }
+  const TriangleMesh mesh = buildMesh(soup).mesh;
+  ASSERT_EQ(mesh.vertexCount(), 26u);
+  const SurfaceFields fields = estimateFields(mesh);
+  for (std::uint32_t v = 0; v < 26; ++v) {
+    if (mesh.position(v).cwiseAbs().sum() > 1.5f) continue;  // the mesh is in [-1, 1]
+    EXPECT_NEAR(fields.k1[v], 0.0, 1e-4);
+    EXPECT_NEAR(fields.k2[v], 0.0, 1e-4);
+  }
+}
+
 // The faces of a block are flat up to their edges.
 TEST(EstimateFields, FitsDoNotReachAcrossCreases) {
   PolygonSoup soup;
