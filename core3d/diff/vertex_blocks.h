@@ -5,17 +5,17 @@
 #include <atomic>
 #include <cstddef>
 #include <mutex>
-#include <thread>
-#include <vector>
 
 #include "core3d/diff/estimate_fields.h"
+#include "core3d/run_on_threads.h"
 
 namespace flatland {
 
 /// Runs work(begin, end) over [0, count) in blocks, on as many threads as the options ask for.
 /// makeWorker() is called once for each thread, so that a worker can own buffers. Results depend
 /// neither on the blocks nor on the threads as long as an element is written from its own index
-/// alone. Progress is reported from `from` to `to`. False if stopped before the end.
+/// alone. Progress is reported from `from` to `to`. False if stopped before the end. Throws what a
+/// worker throws, when all have ended.
 template <typename MakeWorker>
 bool overBlocks(std::size_t count, const FieldOptions& options, double from, double to,
                 const MakeWorker& makeWorker) {
@@ -37,14 +37,7 @@ bool overBlocks(std::size_t count, const FieldOptions& options, double from, dou
       }
     }
   };
-  const std::size_t cores = options.threads > 0
-                                ? static_cast<std::size_t>(options.threads)
-                                : std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(cores, blocks); ++i) others.emplace_back(run);
-    run();
-  }
+  runOnThreads(std::min(threadsFor(options.threads), blocks), run);
   return done == blocks;
 }
 

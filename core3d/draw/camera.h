@@ -9,6 +9,10 @@
 
 namespace flatland {
 
+/// The largest zoom that is taken from people: at it the rounding of a mesh's single-precision
+/// coordinates is still far below a pixel.
+inline constexpr double kMostZoom = 1000.0;
+
 /// From where a drawing of a mesh is made, before it is known how large the mesh is.
 struct Camera {
   Eigen::Vector3d towards =

@@ -7,14 +7,13 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 #include "core3d/draw/bridges.h"
 #include "core3d/draw/chains.h"
 #include "core3d/draw/ink.h"
 #include "core3d/draw/strokes.h"
+#include "core3d/run_on_threads.h"
 
 namespace flatland {
 namespace {
@@ -280,10 +279,7 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
     }
     rays += looker.rays();
   };
-  std::vector<std::jthread> others;
-  for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) others.emplace_back(work);
-  work();
-  others.clear();
+  runOnThreads(std::min(threadsFor(0), chains.size()), work);
   return rays;
 }
 

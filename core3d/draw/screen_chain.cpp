@@ -10,30 +10,18 @@ namespace flatland {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 constexpr double kSamplePx = 1.0;
+// Lines are cut off so far outside the picture, as a share of its diagonal: far more than what
+// lines are judged by (minWeightPx, kJudgedPx), little enough that a large zoom costs no more.
+constexpr double kCutShare = 0.5;
 constexpr double kPlacePx = 1.0 / 32.0;  // far below what an antialiased line shows
 
 // See ScreenChain::judged. Single segments fail and pass by accident where a scan is rough; along a
 // clear line they seldom fail for long.
 constexpr double kJudgedPx = 12.0;
 constexpr double kEnoughStandsOut = 0.3;
-
-// A part of a chain, from point to point; `to` may run past the end of a closed one.
-LineChain part(const LineChain& chain, std::size_t from, std::size_t to) {
-  LineChain result;
-  result.family = chain.family;
-  result.level = chain.level;
-  const std::size_t n = chain.points.size();
-  for (std::size_t i = from; i <= to; ++i) {
-    result.points.push_back(chain.points[i % n]);
-    result.strength.push_back(chain.strength[i % n]);
-    if (i == to) continue;
-    result.triangles.push_back(chain.triangles[i % n]);
-    if (!chain.standsOut.empty()) result.standsOut.push_back(chain.standsOut[i % n]);
-  }
-  return result;
-}
 
 void judge(ScreenChain& line) {
   const LineChain& chain = line.chain;
@@ -69,13 +57,13 @@ void judge(ScreenChain& line) {
   }
 }
 
-ScreenChain measured(LineChain chain, const std::vector<std::optional<Vector2d>>& places) {
+ScreenChain measured(LineChain chain, std::vector<Vector2d> places) {
   ScreenChain result;
   result.chain = std::move(chain);
+  result.screen = std::move(places);
   double along = 0.0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i > 0) along += (*places[i] - *places[i - 1]).norm();
-    result.screen.push_back(*places[i]);
+  for (std::size_t i = 0; i < result.screen.size(); ++i) {
+    if (i > 0) along += (result.screen[i] - result.screen[i - 1]).norm();
     result.along.push_back(along);
   }
   if (result.chain.closed) {
@@ -83,6 +71,81 @@ ScreenChain measured(LineChain chain, const std::vector<std::optional<Vector2d>>
   }
   judge(result);
   return result;
+}
+
+// The part of a piece that is kept: between two shares of it, with their places on the screen.
+struct Kept {
+  double from = 0.0, to = 0.0;
+  Vector2d start = Vector2d::Zero(), end = Vector2d::Zero();
+
+  bool any() const { return from < to; }
+};
+
+// What is kept of a piece that is seen from a to b, as shares on the screen: Liang and Barsky's
+// clipping by the four sides of the picture with its margin.
+Kept keptOf(const Vector2d& a, const Vector2d& b, double width, double height) {
+  const double margin = kCutShare * std::hypot(width, height);
+  const Vector2d step = b - a, size(width, height);
+  Kept kept{0.0, 1.0, a, b};
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    for (const double side : {-1.0, 1.0}) {
+      // Inside where rise * share <= room.
+      const double rise = side * step[k];
+      const double room = margin + (side > 0.0 ? size[k] - a[k] : a[k]);
+      if (rise > 0.0) {
+        kept.to = std::min(kept.to, room / rise);
+      } else if (rise < 0.0) {
+        kept.from = std::max(kept.from, room / rise);
+      } else if (room < 0.0) {
+        return {};
+      }
+    }
+  }
+  if (kept.from > 0.0) kept.start = a + kept.from * step;
+  if (kept.to < 1.0) kept.end = a + kept.to * step;
+  return kept;
+}
+
+// The share of a piece in space that is seen at a share of its picture.
+double inSpace(double share, const Vector3d& a, const Vector3d& b, const Projection& projection) {
+  if (!projection.distance || share <= 0.0 || share >= 1.0) return share;
+  const auto depth = [&](const Vector3d& p) {
+    return *projection.distance - projection.axes.row(2).dot(p - projection.centre);
+  };
+  const double nearA = share * depth(a), nearB = (1.0 - share) * depth(b);
+  return nearA / (nearA + nearB);
+}
+
+// The pieces from `first` to `last`, which may run past the end of a closed chain, the first and
+// the last of them cut.
+ScreenChain part(const LineChain& chain, const std::vector<Kept>& kept, std::size_t first,
+                 std::size_t last, const Projection& projection) {
+  LineChain result;
+  result.family = chain.family;
+  result.level = chain.level;
+  std::vector<Vector2d> places;
+  const std::size_t n = chain.points.size(), pieces = kept.size();
+  const auto add = [&](std::size_t piece, bool atStart) {
+    const std::size_t i = piece % pieces, k = (i + 1) % n;
+    const Kept& cut = kept[i];
+    const auto share =
+        static_cast<float>(inSpace(atStart ? cut.from : cut.to, chain.points[i].cast<double>(),
+                                   chain.points[k].cast<double>(), projection));
+    const auto between = [share](const auto& a, const auto& b) {
+      return share <= 0.0f ? a : share >= 1.0f ? b : (1.0f - share) * a + share * b;
+    };
+    const Eigen::Vector3f &a = chain.points[i], &b = chain.points[k];
+    result.points.push_back({between(a.x(), b.x()), between(a.y(), b.y()), between(a.z(), b.z())});
+    result.strength.push_back(between(chain.strength[i], chain.strength[k]));
+    places.push_back(atStart ? cut.start : cut.end);
+  };
+  add(first, true);
+  for (std::size_t piece = first; piece <= last; ++piece) {
+    add(piece, false);
+    result.triangles.push_back(chain.triangles[piece % pieces]);
+    if (!chain.standsOut.empty()) result.standsOut.push_back(chain.standsOut[piece % pieces]);
+  }
+  return measured(std::move(result), std::move(places));
 }
 
 // Adjacent stretches of the same kind become one. On a closed chain the last and the first are
@@ -140,30 +203,51 @@ ScreenChain::Point ScreenChain::at(double place) const {
 }
 
 std::vector<ScreenChain> onScreen(LineChain chain, const Projection& projection) {
+  const std::size_t n = chain.points.size(), pieces = chain.pieceCount();
   std::vector<std::optional<Vector2d>> places;
-  const std::size_t n = chain.points.size();
-  std::size_t firstBehind = n;
-  for (std::size_t i = 0; i < n; ++i) {
-    places.push_back(projection.toScreen(chain.points[i].cast<double>()));
-    if (!places.back()) firstBehind = std::min(firstBehind, i);
+  places.reserve(n);
+  for (const Eigen::Vector3f& p : chain.points) {
+    places.push_back(projection.toScreen(p.cast<double>()));
+    if (places.back() && !places.back()->allFinite()) places.back().reset();
   }
+  std::vector<Kept> kept(pieces);
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const auto &a = places[i], &b = places[(i + 1) % n];
+    if (a && b) kept[i] = keptOf(*a, *b, projection.width, projection.height);
+  }
+  // Whether the line goes on from a piece to the one after it.
+  const auto goesOn = [&](std::size_t piece) {
+    const Kept &here = kept[piece % pieces], &next = kept[(piece + 1) % pieces];
+    return here.any() && next.any() && here.to == 1.0 && next.from == 0.0;
+  };
+  const auto isWhole = [](const Kept& k) { return k.any() && k.from == 0.0 && k.to == 1.0; };
+
   std::vector<ScreenChain> result;
   const auto add = [&result](ScreenChain part) {
     if (part.length() > 0.0) result.push_back(std::move(part));
   };
-  if (firstBehind == n) {
-    add(measured(std::move(chain), places));
+  if (std::all_of(kept.begin(), kept.end(), isWhole)) {
+    std::vector<Vector2d> all;
+    all.reserve(n);
+    for (const auto& place : places) all.push_back(*place);
+    add(measured(std::move(chain), std::move(all)));
     return result;
   }
-  // Once round from a point behind, or from end to end; runs of points in front become parts.
-  const std::size_t start = chain.closed ? firstBehind : 0;
-  const std::size_t end = start + n + (chain.closed ? 1 : 0);
-  for (std::size_t i = start; i < end;) {
-    std::size_t k = i;
-    std::vector<std::optional<Vector2d>> run;
-    for (; k < end && places[k % n]; ++k) run.push_back(places[k % n]);
-    if (run.size() > 1) add(measured(part(chain, i, k - 1), run));
-    i = k + 1;
+  // Once round from a cut, or from end to end; runs of pieces that go on become parts.
+  std::size_t start = 0;
+  if (chain.closed) {
+    while (goesOn(start)) ++start;
+    ++start;
+  }
+  for (std::size_t i = start; i < start + pieces;) {
+    if (!kept[i % pieces].any()) {
+      ++i;
+      continue;
+    }
+    std::size_t last = i;
+    while (last + 1 < start + pieces && goesOn(last)) ++last;
+    add(part(chain, kept, i, last, projection));
+    i = last + 1;
   }
   return result;
 }

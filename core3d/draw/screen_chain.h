@@ -34,8 +34,9 @@ struct ScreenChain {
   Point at(double place) const;
 };
 
-/// The parts of a chain in front of the viewer: without pieces that reach behind. Parts that are
-/// points on the screen are left out.
+/// The parts of a chain in front of the viewer: without pieces that reach behind, and cut off half
+/// the picture's diagonal outside it, so that the length does not grow with the zoom. Parts that
+/// are points on the screen are left out.
 std::vector<ScreenChain> onScreen(LineChain chain, const Projection& projection);
 
 /// How a stretch of a line is seen.

@@ -58,8 +58,9 @@ NamedCamera cameraFrom(const JsonNode& node, const Camera& usual, std::set<std::
   }
   if (const auto zoom = node.find("zoom")) {
     named.camera.zoom = zoom->number();
-    if (!(named.camera.zoom > 0.0)) {
-      zoom->fail("expected a zoom above 0, found " + numberText(named.camera.zoom));
+    if (!(named.camera.zoom > 0.0 && named.camera.zoom <= kMostZoom)) {
+      zoom->fail("expected a zoom above 0, at most " + numberText(kMostZoom) + ", found " +
+                 numberText(named.camera.zoom));
     }
   }
   return named;

@@ -293,13 +293,29 @@ TEST(LinesCommand, CamerasGiveTheirNamesToTheFiles) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "cameras.json")
       << R"({"flatland": 1, "cameras": [{"name": "front"}, {"view": [1, 0, 0],
-           "perspectiveDeg": 40}]})";
+           "perspectiveDeg": 40, "zoom": 1}]})";
   const ProgramResult result =
       run({"lines", kTorus, "-o", "t.svg", "--cameras", "cameras.json"}, folder.path());
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_TRUE(fs::exists(folder.path() / "t-front.svg"));
   EXPECT_TRUE(fs::exists(folder.path() / "t-2.svg"));
   EXPECT_EQ(folder.count(), 3u);
+}
+
+TEST(LinesCommand, ZoomCostsNoMoreThanThePicture) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "near.json")
+      << R"({"flatland": 1, "cameras": [{"view": [1, 0.6, 2], "zoom": 1000}]})";
+  const ProgramResult result = run({"lines", kTorus, "-o", "t.json", "--lines", "all", "--cameras",
+                                    "near.json", "--hidden", "show"},
+                                   folder.path());
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  for (const json& line : json::parse(contentsOf(folder.path() / "t-1.json"))["polylines"]) {
+    for (const json& s : line["screen"]) {
+      EXPECT_NEAR(s[0].get<double>(), 400.0, 901.0);
+      EXPECT_NEAR(s[1].get<double>(), 300.0, 801.0);
+    }
+  }
 }
 
 TEST(LinesCommand, StatsTellTheStages) {
@@ -329,6 +345,7 @@ TEST(LinesCommand, BadInputIsTold) {
   std::ofstream(folder.path() / "bad.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n";
   std::ofstream(folder.path() / "cameras.json")
       << R"({"flatland": 1, "cameras": [{"veiw": [1, 0, 0]}]})";
+  std::ofstream(folder.path() / "zoom.json") << R"({"flatland": 1, "cameras": [{"zoom": 1e9}]})";
   struct Case {
     std::vector<std::string> arguments;
     const char* message;
@@ -342,6 +359,8 @@ TEST(LinesCommand, BadInputIsTold) {
       {{"lines", kTorus, "-o", "a.svg", "--cameras", "none.json"}, "none.json"},
       {{"lines", kTorus, "-o", "a.svg", "--cameras", "cameras.json"},
        "cameras.json: cameras[0]: unknown key \"veiw\""},
+      {{"lines", kTorus, "-o", "a.svg", "--cameras", "zoom.json"},
+       "zoom.json: cameras[0].zoom: expected a zoom above 0, at most 1000, found 1e+09"},
       {{"fields", "none.obj", "-o", "a.ply"}, "none.obj"},
   };
   for (const Case& bad : cases) {

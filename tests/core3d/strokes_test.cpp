@@ -131,6 +131,50 @@ TEST(Stretches, LeaveOutWhatIsBehindTheViewer) {
   EXPECT_EQ(parts[1].chain.strength, (std::vector<float>{0, 1, 2, 3}));
 }
 
+// Half the diagonal of 800 x 600 beyond each side.
+constexpr double kLeft = -500.0, kRight = 1300.0;
+
+TEST(Stretches, LinesAreCutOutsideThePicture) {
+  Projection projection = flatProjection();
+  LineChain chain;
+  chain.points = {{-1e6f, 0.0f, 0.0f},   {-100.0f, 0.0f, 0.0f}, {100.0f, 0.0f, 0.0f},
+                  {3000.0f, 0.0f, 0.0f}, {3000.0f, 1e7f, 0.0f}, {0.0f, 1e7f, 0.0f}};
+  chain.strength = {1, 2, 3, 4, 5, 6};
+  chain.triangles = {0, 1, 2, 3, 4};
+  auto parts = onScreen(chain, projection);
+  ASSERT_EQ(parts.size(), 1u);
+  ASSERT_EQ(parts[0].screen.size(), 4u);
+  EXPECT_EQ(parts[0].screen[1], Vector2d(300.0, 300.0));
+  EXPECT_NEAR(parts[0].screen[0].x(), kLeft, 1e-6);
+  EXPECT_NEAR(parts[0].screen[3].x(), kRight, 1e-6);
+  EXPECT_NEAR(parts[0].length(), kRight - kLeft, 1e-6);
+  EXPECT_NEAR(parts[0].chain.points[3].x(), kRight - 400.0, 1e-3);
+  EXPECT_NEAR(parts[0].chain.strength[3], 3.0 + 800.0 / 2900.0, 1e-6);
+  EXPECT_EQ(parts[0].chain.triangles, (std::vector<std::uint32_t>{0, 1, 2}));
+  // Closed it comes back from far above, down to where it began: nothing more is near.
+  chain.closed = true;
+  chain.triangles.push_back(5);
+  parts = onScreen(chain, projection);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_FALSE(parts[0].chain.closed);
+  EXPECT_NEAR(parts[0].length(), kRight - kLeft, 1e-6);
+}
+
+TEST(Stretches, CutsOfSteepLinesAreWhereTheyAreSeen) {
+  Projection projection = flatProjection();
+  projection.distance = 100.0;
+  projection.pxPerUnit = 40.0;
+  LineChain chain;
+  chain.points = {{0.0f, 0.0f, -300.0f}, {60.0f, 10.0f, 90.0f}};
+  chain.strength = {0, 1};
+  chain.triangles = {0};
+  const auto parts = onScreen(chain, projection);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_NEAR(parts[0].screen[1].x(), kRight, 1e-6);
+  const Vector2d seen = *projection.toScreen(parts[0].chain.points[1].cast<double>());
+  EXPECT_NEAR((seen - parts[0].screen[1]).norm(), 0.0, 0.01);
+}
+
 TEST(Hysteresis, FollowsDownFromASeed) {
   //                                       0  1  2  3  4  5  6  7  8  9 10 11
   const ScreenChain chain = straight({0, 0, 4, 10, 7, 6, 4, 0, 7, 7, 0, 10}, 10.0);

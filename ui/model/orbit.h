@@ -15,7 +15,7 @@ enum class StandardView { Front, Back, Right, Left, Top, Bottom };
 
 inline constexpr double kOrbitMarginPx = 24.0;      ///< kept free around the fitted ball
 inline constexpr double kUsualPerspectiveDeg = 35;  ///< of the key that turns perspective on
-inline constexpr double kLeastZoom = 0.05, kMostZoom = 1000.0;
+inline constexpr double kLeastZoom = 0.05;
 
 /// The camera set before a ball about 0 that is fitted at zoom 1. With perspective the viewer
 /// stands where the ball fills the field of view; zoom magnifies the picture and moves nobody.
