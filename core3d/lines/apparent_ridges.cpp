@@ -21,7 +21,7 @@ float screenSlope(const SeenVertices& seen, std::uint32_t v) {
 
 }  // namespace
 
-void addApparentRidge(const Sight& sight, std::uint32_t triangle, ContrastMemory& memory,
+void addApparentRidge(const SeenMesh& sight, std::uint32_t triangle, ContrastMemory& memory,
                       Segments& out) {
   const SeenVertices& seen = sight.seen;
   const auto& v = sight.mesh.triangles[triangle];

@@ -14,7 +14,7 @@ namespace {
 constexpr float kEdgeOn = 1e-6f;
 
 // n.w at the corners of a split triangle. Where a vertex is whole the same number as everywhere.
-std::array<float, 3> facingOf(const Sight& sight, const SplitTriangle& split) {
+std::array<float, 3> facingOf(const SeenMesh& sight, const SplitTriangle& split) {
   std::array<float, 3> facing{};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t v = sight.mesh.triangles[split.triangle][k];
@@ -45,7 +45,8 @@ struct TwoSides {
 };
 
 // False if there is nothing on the other side, or nothing known.
-bool sidesOf(const Sight& sight, const SharpEdges& sharp, std::uint32_t halfEdge, TwoSides& sides) {
+bool sidesOf(const SeenMesh& sight, const SharpEdges& sharp, std::uint32_t halfEdge,
+             TwoSides& sides) {
   if (!sight.mesh.hasOpposite(halfEdge)) return false;
   const std::uint32_t other = sight.mesh.opposite[halfEdge];
   if (!sharp.splits(halfEdge / 3) || !sharp.splits(other / 3)) return false;
@@ -76,7 +77,7 @@ void addParts(const TriangleMesh& mesh, const TwoSides& sides, float strength, c
   int count = 0;
   const auto stop = [&](const float(&f)[2], std::uint32_t half, bool ofHere) {
     if ((f[0] > 0.0f) != (f[1] > 0.0f))
-      stops[count++] = {f[0] / (f[0] - f[1]), freeNode(half), ofHere};
+      stops[count++] = {f[0] / (f[0] - f[1]), sideNode(half), ofHere};
   };
   stop(sides.here, h, true);
   stop(sides.there, other, false);
@@ -94,7 +95,7 @@ void addParts(const TriangleMesh& mesh, const TwoSides& sides, float strength, c
 
 }  // namespace
 
-void addContour(const Sight& sight, std::uint32_t triangle, Segments& out) {
+void addContour(const SeenMesh& sight, std::uint32_t triangle, Segments& out) {
   const auto& v = sight.mesh.triangles[triangle];
   const float nw[3] = {sight.seen.nw[v[0]], sight.seen.nw[v[1]], sight.seen.nw[v[2]]};
   const Crossings found = zeroCrossings(nw);
@@ -103,7 +104,7 @@ void addContour(const Sight& sight, std::uint32_t triangle, Segments& out) {
              out);
 }
 
-void addSplitContours(const Sight& sight, const SharpEdges& sharp, Segments& out) {
+void addSplitContours(const SeenMesh& sight, const SharpEdges& sharp, Segments& out) {
   for (const SplitTriangle& split : sharp.triangles()) {
     if (!isKnown(split)) continue;
     const std::array<float, 3> facing = facingOf(sight, split);
@@ -114,7 +115,7 @@ void addSplitContours(const Sight& sight, const SharpEdges& sharp, Segments& out
       ends[i] = endAt(sight.mesh, split.triangle, point, 1.0f);
       const std::uint32_t h = 3 * split.triangle + static_cast<std::uint32_t>(point.corner);
       TwoSides sides;
-      if (sidesOf(sight, sharp, h, sides) && sides.jumps()) ends[i].node = freeNode(h);
+      if (sidesOf(sight, sharp, h, sides) && sides.jumps()) ends[i].node = sideNode(h);
     }
     if (found.count == 2) out.push_back({ends[0], ends[1], split.triangle});
   }
@@ -126,7 +127,7 @@ void addSplitContours(const Sight& sight, const SharpEdges& sharp, Segments& out
   }
 }
 
-void addSeenEdges(const Sight& sight, const SharpEdges& sharp, Segments& out) {
+void addSeenEdges(const SeenMesh& sight, const SharpEdges& sharp, Segments& out) {
   for (const SharpEdge& edge : sharp.edges()) {
     TwoSides sides;
     if (!sidesOf(sight, sharp, edge.halfEdge, sides)) continue;

@@ -32,7 +32,8 @@ void addPiece(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint 
       const LineEnd& other = ends[1 - i];
       const float t = facing[1 - i] / (facing[1 - i] - facing[i]);
       ends[i] = {other.at + t * (ends[i].at - other.at),
-                 other.strength + t * (ends[i].strength - other.strength), freeNode(triangle)};
+                 other.strength + t * (ends[i].strength - other.strength),
+                 innerNode(mesh, triangle)};
     }
   }
   out.push_back({ends[0], ends[1], triangle, level});

@@ -20,7 +20,7 @@ namespace flatland {
 using Segments = std::vector<LineSegment>;
 
 /// What a family looks at in one view.
-struct Sight {
+struct SeenMesh {
   const TriangleMesh& mesh;
   const SurfaceFields& fields;
   const SurfaceView& view;
@@ -40,19 +40,19 @@ constexpr float kSharpStrength = 100.0f;
 
 /// Contours of all split triangles, and of the sharp edges between them where one side is turned to
 /// the viewer and the other is not. With those of addContour they are closed wherever the mesh is.
-void addSplitContours(const Sight& sight, const SharpEdges& sharp, Segments& out);
+void addSplitContours(const SeenMesh& sight, const SharpEdges& sharp, Segments& out);
 /// The sharp edges, as far as both sides are turned to the viewer.
-void addSeenEdges(const Sight& sight, const SharpEdges& sharp, Segments& out);
+void addSeenEdges(const SeenMesh& sight, const SharpEdges& sharp, Segments& out);
 
 // Of the view, for one triangle.
-void addContour(const Sight& sight, std::uint32_t triangle, Segments& out);
+void addContour(const SeenMesh& sight, std::uint32_t triangle, Segments& out);
 /// Suggestive contours and suggestive highlights; nullptr: not wanted.
-void addSuggestive(const Sight& sight, std::uint32_t triangle, Segments* contours,
+void addSuggestive(const SeenMesh& sight, std::uint32_t triangle, Segments* contours,
                    Segments* highlights);
-void addApparentRidge(const Sight& sight, std::uint32_t triangle, ContrastMemory& memory,
+void addApparentRidge(const SeenMesh& sight, std::uint32_t triangle, ContrastMemory& memory,
                       Segments& out);
-void addIsophotes(const Sight& sight, std::uint32_t triangle, Segments& out);
-void addPrincipalHighlight(const Sight& sight, const SeenVertices& highlights,
+void addIsophotes(const SeenMesh& sight, std::uint32_t triangle, Segments& out);
+void addPrincipalHighlight(const SeenMesh& sight, const SeenVertices& highlights,
                            std::uint32_t triangle, Segments& out);
 
 /// Replaces slope and r of vertices by what the thesis practised: the difference quotient of lambda
@@ -81,6 +81,13 @@ Segments findTopographic(const TriangleMesh& mesh, const Eigen::Vector3d& up, in
 /// The end of a piece at a point of an edge.
 LineEnd endAt(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint& point,
               float strength);
+
+/// Nodes that are no crossing of an edge by itself: one inside each triangle, and one on each side
+/// of each edge, where lines of the two sides cross it at different places. No two are the same.
+inline LineNode innerNode(const TriangleMesh& mesh, std::uint32_t triangle) {
+  return freeNode(std::uint64_t{3} * mesh.triangleCount() + triangle);
+}
+inline LineNode sideNode(std::uint32_t halfEdge) { return freeNode(halfEdge); }
 
 /// Adds the piece of a line between two edges of a triangle; with `nw` (per vertex) only as far as
 /// n.w > 0. Does nothing if neither end reaches the threshold.
@@ -115,7 +122,7 @@ void addOriented(const TriangleMesh& mesh, std::uint32_t triangle, const Oriente
   }
   const LineEnd middle{(face.p[0] + face.p[1] + face.p[2]) / 3.0f,
                        (ends[0].strength + ends[1].strength + ends[2].strength) / 3.0f,
-                       freeNode(triangle)};
+                       innerNode(mesh, triangle)};
   for (int i = 0; i < 3; ++i) {
     if (!(std::max(ends[i].strength, middle.strength) >= threshold)) continue;
     const int a = found.points[i].corner, b = (a + 1) % 3;

@@ -7,7 +7,7 @@
 
 namespace flatland {
 
-void addIsophotes(const Sight& sight, std::uint32_t triangle, Segments& out) {
+void addIsophotes(const SeenMesh& sight, std::uint32_t triangle, Segments& out) {
   const auto& v = sight.mesh.triangles[triangle];
   const int levels = std::max(sight.options.isophoteLevels, 1);
   const auto steps = static_cast<float>(levels + 1);

@@ -43,16 +43,17 @@ struct LineFinder::State {
   std::vector<VertexRun> runs;
   SeenVertices seen, highlights;
   ContrastMemory memory;
+  bool cull;
   std::array<std::optional<FixedLines>, kLineFamilyCount> fixed;
   Times times;
 
   void addFixed(LineFamily family, const LineOptions& options, Segments& out);
   Segments findFixed(LineFamily family, const LineOptions& options) const;
-  void walk(const Sight& sight, FeatureLines& lines);
-  void addSharpEdges(const Sight& sight, FeatureLines& lines) const;
+  void walk(const SeenMesh& sight, FeatureLines& lines);
+  void addSharpEdges(const SeenMesh& sight, FeatureLines& lines) const;
 };
 
-LineFinder::LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields)
+LineFinder::LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields, bool cull)
     : state_(new State{mesh,
                        fields,
                        VertexClusters(mesh, fields),
@@ -61,6 +62,7 @@ LineFinder::LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields)
                        {},
                        {},
                        {},
+                       cull,
                        {},
                        {}}) {}
 LineFinder::~LineFinder() = default;
@@ -120,7 +122,7 @@ void LineFinder::State::addFixed(LineFamily family, const LineOptions& options, 
 
 // What becomes of lines of curvature at sharp edges. Where creases are drawn they are there
 // already.
-void LineFinder::State::addSharpEdges(const Sight& sight, FeatureLines& lines) const {
+void LineFinder::State::addSharpEdges(const SeenMesh& sight, FeatureLines& lines) const {
   const LineOptions& options = sight.options;
   if (options[LineFamily::Creases] || options.unfiltered) return;
   const auto wanted = [&options](LineFamily family) {
@@ -137,7 +139,7 @@ void LineFinder::State::addSharpEdges(const Sight& sight, FeatureLines& lines) c
 }
 
 // All triangles once. Flags of the corners decide nearly always that there is nothing.
-void LineFinder::State::walk(const Sight& sight, FeatureLines& lines) {
+void LineFinder::State::walk(const SeenMesh& sight, FeatureLines& lines) {
   memory.clear();
   const LineOptions& options = sight.options;
   const bool all = options.unfiltered;
@@ -198,14 +200,14 @@ FeatureLines LineFinder::find(const SurfaceView& view, const LineOptions& option
   needs.radial =
       options[LineFamily::SuggestiveContours] || options[LineFamily::SuggestiveHighlights];
   needs.facing = options[LineFamily::Isophotes];
-  needs.everywhere = options.unfiltered || (needs.ridges && oneRing);
+  needs.everywhere = !s.cull || options.unfiltered || (needs.ridges && oneRing);
   needs.minRoot =
       options.unfiltered
           ? -1.0f
           : static_cast<float>(options.thresholdOf(LineFamily::ApparentRidges) / s.fields.size);
   const bool ofView = std::any_of(options.on.begin(), options.on.begin() + kViewFamilies,
                                   [](bool on) { return on; });
-  const Sight sight{s.mesh, s.fields, view, options, s.seen};
+  const SeenMesh sight{s.mesh, s.fields, view, options, s.seen};
   if (ofView) {
     auto start = Clock::now();
     s.seen.resize(s.mesh.vertexCount(), needs);

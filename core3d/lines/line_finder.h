@@ -14,7 +14,9 @@ namespace flatland {
 /// Not for several threads at once; several finders may share a mesh.
 class LineFinder {
  public:
-  LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields);
+  /// With `cull` = false every vertex is computed in every view, also where nothing can be found:
+  /// the same lines, slower. For tests and measurements.
+  LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields, bool cull = true);
   ~LineFinder();
   LineFinder(LineFinder&&) noexcept;
   LineFinder& operator=(LineFinder&&) noexcept;

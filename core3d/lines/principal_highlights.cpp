@@ -39,7 +39,7 @@ void seeHighlights(const TriangleMesh& mesh, const SurfaceFields& fields, const 
   }
 }
 
-void addPrincipalHighlight(const Sight& sight, const SeenVertices& highlights,
+void addPrincipalHighlight(const SeenMesh& sight, const SeenVertices& highlights,
                            std::uint32_t triangle, Segments& out) {
   const auto& v = sight.mesh.triangles[triangle];
   OrientedFace face;

@@ -13,7 +13,7 @@ namespace {
 //   C(w, w, w) - 2 (n.w) |K w|^2
 // which is |w_T| times the derivative of radial curvature along w where that curvature is 0; in
 // perspective too, for the turning of w with the place is along w_T and drops out there.
-float growth(const Sight& sight, std::uint32_t v) {
+float growth(const SeenMesh& sight, std::uint32_t v) {
   const SurfaceFields& f = sight.fields;
   const Eigen::Vector3f w =
       sight.view.towardsViewer(sight.mesh.position(v).cast<double>()).cast<float>();
@@ -28,7 +28,7 @@ float growth(const Sight& sight, std::uint32_t v) {
 
 }  // namespace
 
-void addSuggestive(const Sight& sight, std::uint32_t triangle, Segments* contours,
+void addSuggestive(const SeenMesh& sight, std::uint32_t triangle, Segments* contours,
                    Segments* highlights) {
   const auto& v = sight.mesh.triangles[triangle];
   const Crossings found =

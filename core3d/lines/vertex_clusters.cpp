@@ -57,10 +57,10 @@ void VertexClusters::runsFor(const SurfaceView& view, const VertexNeeds& needs,
   // passed over, has fallen far enough.
   constexpr float kClear = 0.95f;
   runs.clear();
-  const auto count = static_cast<std::uint32_t>(clusters_.size());
-  for (std::uint32_t c = 0; c < count; ++c) {
+  const auto clusters = static_cast<std::uint32_t>(clusters_.size());
+  for (std::uint32_t c = 0; c < clusters; ++c) {
     const Cluster& cluster = clusters_[c];
-    const std::uint32_t end = c + 1 == count ? vertices_ : (c + 1) * kSize;
+    const std::uint32_t end = c + 1 == clusters ? vertices_ : (c + 1) * kSize;
     float cosCone = cluster.cosCone, sinCone = cluster.sinCone;
     Eigen::Vector3f w = view.towards.cast<float>();
     bool known = cosCone > 0.0f && !needs.everywhere;
@@ -94,12 +94,17 @@ void VertexClusters::runsFor(const SurfaceView& view, const VertexNeeds& needs,
       run.radial = needs.radial && !away && cluster.k1Max >= 0.0f && cluster.k2Min <= 0.0f;
       run.flags = VertexFlag::kKnown | VertexFlag::kSkipped;
       if (towards) run.flags |= VertexFlag::kFront;
-      if (cluster.k2Min > 0.0f) run.flags |= VertexFlag::kRadial;
+      if (needs.radial && cluster.k2Min > 0.0f) run.flags |= VertexFlag::kRadial;
     }
     if (!runs.empty()) {
       VertexRun& last = runs.back();
+      // Where something is computed, the run's flags count for the sign of radial curvature, and
+      // only where that is not computed too.
+      const unsigned counting = run.radial             ? 0u
+                                : run.nw || run.ridges ? VertexFlag::kRadial
+                                                       : 0xffu;
       if (last.nw == run.nw && last.ridges == run.ridges && last.radial == run.radial &&
-          (last.flags == run.flags || run.nw || run.ridges || run.radial)) {
+          ((last.flags ^ run.flags) & counting) == 0) {
         last.end = end;
         continue;
       }
