@@ -2,7 +2,10 @@
 #include "core3d/diff/surface_fields.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace flatland {
 
@@ -26,12 +29,15 @@ void SurfaceFields::set(std::uint32_t v, const SurfacePoint& point) {
   store(e1x, e.x());
   store(e1y, e.y());
   store(e1z, e.z());
-  store(k1, a.dot(point.K * a));
-  store(k2, b.dot(point.K * b));
-  store(c111, point.C(a, a, a));
-  store(c112, point.C(a, a, b));
-  store(c122, point.C(a, b, b));
-  store(c222, point.C(b, b, b));
+  // On a fan of edges of 1e-20, say, C goes beyond the range of float: curvature is unknown there.
+  const double curvature[] = {a.dot(point.K * a), b.dot(point.K * b), point.C(a, a, a),
+                              point.C(a, a, b),   point.C(a, b, b),   point.C(b, b, b)};
+  const bool fits = std::all_of(std::begin(curvature), std::end(curvature), [](double value) {
+    return std::abs(value) <= std::numeric_limits<float>::max();
+  });
+  std::size_t i = 0;
+  for (auto* values : {&k1, &k2, &c111, &c112, &c122, &c222})
+    store(*values, fits ? curvature[i++] : 0.0);
 }
 
 SurfacePoint SurfaceFields::at(const TriangleMesh& mesh, std::uint32_t v) const {

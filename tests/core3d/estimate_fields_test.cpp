@@ -301,6 +301,40 @@ TEST(EstimateFields, BordersAreEstimatedToo) {
   }
 }
 
+// A wavy sheet of edges 1e-20 of a triangle's: K fits a float, C does not.
+TEST(EstimateFields, WhatIsBeyondFloatCountsAsUnknown) {
+  PolygonSoup soup = moved(meshOf({SolidKind::SineSheet, 0.5, 2.0, 3.0}, {.cells = 12}).soup,
+                           1e-20 * Eigen::Matrix3d::Identity());
+  const auto first = static_cast<std::uint32_t>(soup.vertexCount());
+  soup.addVertex(-1.0, -1.0, 0.0);
+  soup.addVertex(1.0, -1.0, 0.0);
+  soup.addVertex(0.0, 1.0, 0.0);
+  soup.addTriangle(first, first + 1, first + 2);
+  const TriangleMesh mesh = buildMesh(soup).mesh;
+  ASSERT_EQ(mesh.vertexCount(), first + 3);
+  for (const auto estimator : kBoth) {
+    const SurfaceFields fields = estimateFields(mesh, with(estimator));
+    ASSERT_EQ(fields.vertexCount(), mesh.vertexCount());
+    expectFinite(fields);
+  }
+  // K and C go together: the one without the other would be another surface.
+  SurfaceFields fields;
+  fields.resize(2);
+  SurfacePoint point;
+  point.n = Eigen::Vector3d::UnitZ();
+  point.frame << 1, 0, 0, 1, 0, 0;
+  point.K << 3, 0, 0, 2;
+  for (const double c111 : {1e38, -1e39}) {
+    point.C.coefficients = {c111, 1, 1, 1};
+    fields.set(c111 < 0 ? 1 : 0, point);
+  }
+  EXPECT_EQ(fields.k1[0], 3.0f);
+  EXPECT_EQ(fields.c111[0], 1e38f);
+  for (const auto* values : {&fields.k1, &fields.k2, &fields.c111, &fields.c222})
+    EXPECT_EQ((*values)[1], 0.0f);
+  EXPECT_EQ(fields.normal(1), Eigen::Vector3f::UnitZ());
+}
+
 TEST(EstimateFields, SmallAndFlatMeshesAreFinite) {
   const double s = std::sqrt(0.5);
   PolygonSoup triangle, tetrahedron, needle, cone;
