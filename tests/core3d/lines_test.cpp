@@ -53,11 +53,15 @@ TEST(Lines, ContoursOfATorusAreWhereItTurnsAway) {
   }
 }
 
-TEST(Lines, SuggestiveContoursAndHighlightsOfATorus) {
+void expectSuggestiveLinesOfATorus(const SurfaceView& view) {
   const SolidModel model = modelOf(kTorus, {.cells = 200, .irregular = true});
   LineOptions options = only({LineFamily::SuggestiveContours, LineFamily::SuggestiveHighlights});
   options.threshold.fill(0.01);
-  const FeatureLines lines = linesOf(model, options);
+  const FeatureLines lines = linesOf(model, options, view);
+  const auto towards = [&](const SurfacePoint& point) {
+    return view.towardsViewer((point.p - model.mesh.origin) / model.mesh.unit);
+  };
+  const auto radialAt = [&](const SurfacePoint& point) { return radial(point, towards(point)); };
   for (const auto& [family, sign] : {std::pair(LineFamily::SuggestiveContours, 1.0),
                                      std::pair(LineFamily::SuggestiveHighlights, -1.0)}) {
     SCOPED_TRACE(nameOf(family));
@@ -65,13 +69,14 @@ TEST(Lines, SuggestiveContoursAndHighlightsOfATorus) {
     int wrong = 0;
     for (const LineSegment& segment : lines.of(family)) {
       const SurfacePoint point = onTorus(middleInFile(model.mesh, segment));
-      EXPECT_LT(std::abs(radial(point, kOblique)), 2e-3);
-      EXPECT_GT(point.n.dot(kOblique), -1e-3) << "on the side turned away";
+      const Eigen::Vector3d w = towards(point);
+      EXPECT_LT(std::abs(radial(point, w)), 3e-3);
+      EXPECT_GT(point.n.dot(w), -1e-3) << "on the side turned away";
       // A short step along w on the surface: it grows or falls.
-      const Eigen::Vector3d wT = point.frame * (point.frame.transpose() * kOblique);
+      const Eigen::Vector3d wT = point.frame * (point.frame.transpose() * w);
       const double step = 1e-4;
-      const double ahead = radial(onTorus(point.p + step * wT), kOblique);
-      const double behind = radial(onTorus(point.p - step * wT), kOblique);
+      const double ahead = radialAt(onTorus(point.p + step * wT));
+      const double behind = radialAt(onTorus(point.p - step * wT));
       wrong += sign * (ahead - behind) <= 0.0;
       // And by as much as the strength says, S = D K(w_T, w_T) / |w_T|^2.
       const double size = model.fields.size * model.mesh.unit;
@@ -82,6 +87,11 @@ TEST(Lines, SuggestiveContoursAndHighlightsOfATorus) {
     }
     EXPECT_LE(wrong, static_cast<int>(lines.of(family).size()) / 100);
   }
+}
+
+TEST(Lines, SuggestiveContoursAndHighlightsOfATorus) {
+  expectSuggestiveLinesOfATorus({.towards = kOblique, .eye = {}});
+  expectSuggestiveLinesOfATorus({.towards = kOblique, .eye = 1.2 * kOblique});
 }
 
 TEST(Lines, ParabolicAndZeroMeanCurvatureOfATorus) {

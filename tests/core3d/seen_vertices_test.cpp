@@ -7,8 +7,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core3d/diff/exact_fields.h"
 #include "core3d/diff/surface_jet.h"
+#include "core3d/lines/families.h"
 #include "core3d/lines/vertex_clusters.h"
+#include "core3d/mesh/build_mesh.h"
 #include "tests/support/seed.h"
 
 namespace flatland::test {
@@ -105,7 +108,7 @@ TEST(SeenVertices, AgreeWithTheDoubleReference) {
 }
 
 TEST(SeenVertices, PerspectiveTermCounts) {
-  // Where C = 0 and the offset vanishes (K r across w_T), the sum is the perspective term alone.
+  // A near viewer and a far one in the same direction differ by the perspective term alone.
   Cloud cloud;
   SurfacePoint point;
   point.p.setZero();
@@ -117,8 +120,48 @@ TEST(SeenVertices, PerspectiveTermCounts) {
   const Eigen::Vector3d w = Eigen::Vector3d(0.6, 0, 0.8);
   const SurfaceView far{.towards = w, .eye = {}}, near{.towards = w, .eye = 2.0 * w};
   const auto reference = apparentCurvature(seenFrom(point, w, 2.0));
-  EXPECT_NEAR(seen(cloud, near).slope[0], std::pow(0.8, 4) * std::abs(reference->sum()), 1e-5);
-  EXPECT_GT(std::abs(seen(cloud, near).slope[0] - seen(cloud, far).slope[0]), 0.1);
+  ASSERT_TRUE(reference);
+  // Of the sum along the reference's r: SeenVertices turns r so that lambda grows.
+  const auto along = [&](const SurfaceView& view) {
+    const SeenVertices out = seen(cloud, view);
+    return std::copysign(out.slope[0], out.r(0).cast<double>().dot(point.frame * reference->r));
+  };
+  EXPECT_GT(std::abs(reference->perspective), 0.1);
+  EXPECT_NEAR(along(near) - along(far), std::pow(0.8, 4) * reference->perspective, 1e-5);
+  EXPECT_NEAR(along(far), std::pow(0.8, 4) * reference->offset, 1e-5);
+}
+
+// Finite differences of n.w on a torus along the direction of the larger curvature, the viewer near
+// and far. Inside the ring that curvature is negative, and nearness can turn the sign round.
+TEST(SeenVertices, HighlightsHaveTheDerivativeOfNw) {
+  const Solid torus{SolidKind::Torus, 1.0, 0.7};
+  const auto onTorus = [&torus](const Eigen::Vector3d& p) {
+    return pointAt(torus,
+                   {std::atan2(p.y(), p.x()), std::atan2(p.z(), p.head<2>().norm() - torus.a), 0});
+  };
+  const SolidMesh made = meshOf(torus, {.cells = 30, .irregular = true});
+  const TriangleMesh mesh = buildMesh(made.soup).mesh;
+  const SurfaceFields fields = exactFields(torus, made.places, mesh);
+  const Eigen::Vector3d w = Eigen::Vector3d(0.3, -0.6, 0.74).normalized();
+  for (const double distance : {0.0, 0.1, 1.5}) {  // 0: from afar; 0.1: inside the ring
+    SCOPED_TRACE(distance);
+    SurfaceView view{.towards = w, .eye = {}};
+    if (distance > 0.0) view.eye = distance * w;
+    SeenVertices seen;
+    seeHighlights(mesh, fields, view, seen);
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+      const bool second = std::abs(fields.k2[v]) > std::abs(fields.k1[v]);
+      const Eigen::Vector3d e = (second ? fields.e2(v) : fields.e1(v)).cast<double>();
+      constexpr double kStep = 1e-4;
+      const auto facing = [&](double step) {
+        const SurfacePoint point =
+            onTorus(mesh.origin + mesh.unit * mesh.position(v).cast<double>() + step * e);
+        return point.n.dot(view.towardsViewer((point.p - mesh.origin) / mesh.unit));
+      };
+      const double expected = mesh.unit * (facing(kStep) - facing(-kStep)) / (2 * kStep);
+      EXPECT_NEAR(seen.slope[v] * seen.r(v).cast<double>().dot(e), expected, 2e-3);
+    }
+  }
 }
 
 TEST(SeenVertices, DegenerateVerticesHaveStatedAnswers) {

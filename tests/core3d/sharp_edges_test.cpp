@@ -7,9 +7,11 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "core3d/diff/estimate_fields.h"
 #include "core3d/io/read_mesh.h"
+#include "core3d/lines/families.h"
 #include "tests/core3d/example_meshes.h"
 #include "tests/core3d/lines_check.h"
 #include "tests/support/seed.h"
@@ -139,6 +141,51 @@ TEST(SharpEdges, ContourOfABoxIsMadeOfItsEdges) {
         EXPECT_TRUE(lines.of(none).empty()) << nameOf(none);
       expectClosed(lines.of(LineFamily::OccludingContours));
     }
+  }
+}
+
+// Strokes are joined by nodes: one node at two places would draw a line across the surface.
+TEST(SharpEdges, EndsOfOneNodeLieAtOnePlace) {
+  Random random(announcedSeed("EndsOfOneNodeLieAtOnePlace", 6));
+  const auto solid = [](const Solid& of, int cells) {
+    return buildMesh(meshOf(of, {.cells = cells, .irregular = true}).soup).mesh;
+  };
+  for (const TriangleMesh& mesh :
+       {box({1.0, 0.7, 0.4}, 4), can(48, 12), solid({SolidKind::BumpySphere, 1.0, 0.3, 9.0}, 20),
+        solid({SolidKind::RoundedCube, 1.0}, 8)}) {
+    const SurfaceFields fields = estimateFields(mesh);
+    LineFinder finder(mesh, fields);
+    for (int trial = 0; trial < 10; ++trial) {
+      LineOptions options;
+      for (const LineFamily family : allLineFamilies())
+        options[family] = family != LineFamily::Creases;
+      options.threshold.fill(0.0);
+      options.unfiltered = trial % 3 == 2;
+      SurfaceView view{.towards = Vector3d(normal(random), normal(random), normal(random)),
+                       .eye = {}};
+      view.towards.normalize();
+      if (trial % 2 == 1) view.eye = 3.0 * view.towards;
+      const FeatureLines lines = finder.find(view, options);
+      for (const LineFamily family : allLineFamilies()) {
+        SCOPED_TRACE(nameOf(family));
+        std::map<std::pair<std::uint32_t, LineNode>, Eigen::Vector3f> place;
+        for (const LineSegment& s : lines.of(family)) {
+          for (const LineEnd* end : {&s.a, &s.b}) {
+            const auto [known, added] = place.try_emplace(std::pair(s.level, end->node), end->at);
+            ASSERT_LT((known->second - end->at).norm(), 1e-5f);
+          }
+        }
+      }
+    }
+    std::set<LineNode> nodes;
+    for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+      for (const LineNode node : {innerNode(mesh, t), sideNode(3 * t), sideNode(3 * t + 1),
+                                  sideNode(3 * t + 2), edgeNode(mesh, 3 * t)})
+        nodes.insert(node);
+    }
+    std::set<LineNode> edges;
+    for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) edges.insert(edgeNode(mesh, 3 * t));
+    EXPECT_EQ(nodes.size(), 4 * mesh.triangleCount() + edges.size());
   }
 }
 
