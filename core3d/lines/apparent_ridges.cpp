@@ -45,15 +45,17 @@ void addApparentRidge(const SeenMesh& sight, std::uint32_t triangle, ContrastMem
   const CurvatureField field{sight.mesh,     seen.root.data(), seen.nw.data(),   seen.rx.data(),
                              seen.ry.data(), seen.rz.data(),   seen.flags.data()};
   const float reach = Contrast::kReach * sight.size();
-  // Of sqrt(lambda), per length on the surface: 1/2 D_tA lambda / (|r| sqrt(lambda)).
+  const bool closedForm = sight.options.derivative == RidgeDerivative::ClosedForm;
+  // Of sqrt(lambda), per length on the surface: 1/2 D_tA lambda / (|r| sqrt(lambda)). The one-ring
+  // derivative is one per length already.
   float derivative[3], curvature = 0.0f;
   for (std::size_t k = 0; k < 3; ++k) {
     const float nw = seen.nw[v[k]], root = seen.root[v[k]];
-    const float below = nw * nw * root * face.r[k].norm();
+    const float below = closedForm ? nw * nw * root * face.r[k].norm() : root / nw;
     derivative[k] = below > 0.0f ? face.slope[k] / below : 0.0f;
     curvature += root / (3.0f * nw);
   }
-  if (sight.options.derivative == RidgeDerivative::ClosedForm) {
+  if (closedForm) {
     for (std::size_t k = 0; k < 3; ++k) face.slope[k] = screenSlope(seen, v[k]);
   }
   addOriented(

@@ -56,7 +56,8 @@ void addPrincipalHighlight(const SeenMesh& sight, const SeenVertices& highlights
                            std::uint32_t triangle, Segments& out);
 
 /// Replaces slope and r of vertices by what the thesis practised: the difference quotient of lambda
-/// to the one-ring along t_A and against it. Needs everything of seeVertices() everywhere.
+/// to the one-ring along t_A and against it, slope = half of it per length on the surface. Needs
+/// everything of seeVertices() everywhere.
 void takeOneRingDerivative(const TriangleMesh& mesh, const SurfaceFields& fields,
                            SeenVertices& seen);
 

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "core3d/lines/families.h"
 #include "tests/core3d/lines_check.h"
 
 namespace flatland::test {
@@ -12,8 +13,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 std::vector<LineSegment> ridgesOf(const SolidModel& model, const Eigen::Vector3d& towards,
-                                  double threshold) {
+                                  double threshold,
+                                  RidgeDerivative derivative = RidgeDerivative::ClosedForm) {
   LineOptions options = only({LineFamily::ApparentRidges});
+  options.derivative = derivative;
   options.threshold[static_cast<std::size_t>(LineFamily::ApparentRidges)] = threshold;
   const FeatureLines lines =
       LineFinder(model.mesh, model.fields).find({.towards = towards, .eye = {}}, options);
@@ -55,6 +58,63 @@ TEST(ApparentRidges, OfASineSheetConvergeWithNothingBesideThem) {
     EXPECT_NEAR(totalLength(model.mesh, ridges), 4 * 6.0, 0.05 * 4 * 6.0);
   }
   EXPECT_GT(orderOf(first, last, 2), 1.7);
+}
+
+// Difference quotients are good on even cells: the same lines, though only within a third of a
+// cell, and nothing beside them, also where the sheet is seen at a grazing angle.
+TEST(ApparentRidges, OfASineSheetByDifferencesAreTheSame) {
+  for (const int n : {60, 120}) {
+    SCOPED_TRACE(n);
+    const double edge = 6.0 / n;
+    const SolidModel model = modelOf({SolidKind::SineSheet, 0.5, 2.0, 3.0}, {.cells = n});
+    for (const double degrees : {10.0, 20.0, 30.0}) {
+      SCOPED_TRACE(degrees);
+      const double angle = degrees * kPi / 180;
+      const Eigen::Vector3d towards(std::sin(angle), 0, std::cos(angle));
+      const auto exact = ridgesOf(model, towards, 0.0);
+      const auto found = ridgesOf(model, towards, 0.0, RidgeDerivative::OneRing);
+      // Lines are straight along y.
+      std::vector<double> places;
+      for (const LineSegment& segment : exact)
+        places.push_back(middleInFile(model.mesh, segment).x());
+      ASSERT_FALSE(places.empty());
+      const auto distances = distancesOf(model.mesh, found, [&](const Eigen::Vector3d& p) {
+        double least = 10.0;
+        for (const double x : places) least = std::min(least, std::abs(p.x() - x));
+        return least;
+      });
+      ASSERT_FALSE(distances.empty());
+      EXPECT_LT(median(distances), 0.1 * edge);
+      EXPECT_LT(distances.back(), edge);
+      EXPECT_NEAR(totalLength(model.mesh, found), totalLength(model.mesh, exact),
+                  0.05 * totalLength(model.mesh, exact));
+    }
+  }
+}
+
+// The difference quotient is per length on the surface, the closed form is multiplied with |r| and
+// powers of n.w (seen_vertices.h).
+TEST(ApparentRidges, DifferencesOfTheOneRingAreHalfTheDerivativePerLength) {
+  const SolidModel model = modelOf({SolidKind::SineSheet, 0.5, 2.0, 3.0}, {.cells = 200});
+  const SurfaceView view{.towards = {std::sin(kPi / 6), 0, std::cos(kPi / 6)}, .eye = {}};
+  const VertexNeeds needs{.ridges = true, .everywhere = true};
+  const VertexRun all{0, static_cast<std::uint32_t>(model.mesh.vertexCount()), true, true, false};
+  SeenVertices closed;
+  closed.resize(model.mesh.vertexCount(), needs);
+  seeVertices(model.mesh, model.fields, view, needs.minRoot, {&all, 1}, closed);
+  SeenVertices differences = closed;
+  takeOneRingDerivative(model.mesh, model.fields, differences);
+  std::vector<double> off;
+  for (std::uint32_t v = 0; v < model.mesh.vertexCount(); ++v) {
+    const float nw = std::abs(closed.nw[v]), r = closed.r(v).norm();
+    if (nw < 0.2f || !(r > 0.0f)) continue;
+    const double exact = closed.slope[v] / (nw * nw * nw * r);
+    const double sign = closed.r(v).dot(differences.r(v)) > 0.0f ? 1.0 : -1.0;
+    if (exact > 1.0) off.push_back(std::abs(sign * differences.slope[v] / exact - 1.0));
+  }
+  ASSERT_GT(off.size(), 1000u);
+  std::sort(off.begin(), off.end());
+  EXPECT_LT(median(off), 0.02);
 }
 
 TEST(ApparentRidges, OfAGaussianBumpAreItsRing) {
