@@ -159,10 +159,10 @@ class SurfaceModelTest : public QObject {
 
   void openingIsOneUndoStep() {
     Fixture f;
-    QVERIFY(f.open("solid:torus"));
+    QVERIFY(f.open("solid:torus:30"));
     QCOMPARE(f.opened.count(), 1);
     QCOMPARE(f.document.undoStack().count(), 1);
-    QCOMPARE(f.setting().mesh, std::string("solid:torus"));
+    QCOMPARE(f.setting().mesh, std::string("solid:torus:30"));
     QVERIFY(f.source.surface() && f.source.surface()->fields);
     QCOMPARE(f.document.featureComputations(), 0);  // marks of the curves are not its matter
     f.document.undoStack().undo();
@@ -176,7 +176,7 @@ class SurfaceModelTest : public QObject {
 
   void whatCannotBeReadChangesNothing() {
     Fixture f;
-    QVERIFY(f.open("solid:sphere"));
+    QVERIFY(f.open("solid:sphere:16"));
     const auto before = f.source.surface();
     const Scene scene = f.document.scene();
     const QTemporaryDir folder;
@@ -198,7 +198,7 @@ class SurfaceModelTest : public QObject {
 
   void theCameraIsNoEdit() {
     Fixture f;
-    QVERIFY(f.open("solid:torus"));
+    QVERIFY(f.open("solid:torus:30"));
     SurfaceSetting edited = f.setting();
     edited.style = "paper";
     f.document.push(std::make_unique<SetSurface>(f.document, edited, "edit"));
@@ -216,7 +216,7 @@ class SurfaceModelTest : public QObject {
 
   void linesFollowTheNewestCamera() {
     Fixture f;
-    QVERIFY(f.open("solid:bumpy-sphere"));
+    QVERIFY(f.open("solid:bumpy-sphere:24"));
     QVERIFY(f.seen.seen());
     const int before = f.seen.searches();
     constexpr int kTurns = 40;
@@ -233,7 +233,7 @@ class SurfaceModelTest : public QObject {
 
   void familiesAndThresholdsDecideTheLines() {
     Fixture f;
-    QVERIFY(f.open("solid:bumpy-sphere"));
+    QVERIFY(f.open("solid:bumpy-sphere:24"));
     const auto count = [&f](LineFamily family) {
       if (!QTest::qWaitFor([&f] { return !f.seen.isStale(); }, kPatienceMs)) qFatal("no lines");
       return f.seen.seen()->lines[static_cast<std::size_t>(family)].size();
@@ -262,7 +262,7 @@ class SurfaceModelTest : public QObject {
 
   void thePaintedPictureShowsTheSphere() {
     Fixture f;
-    QVERIFY(f.open("solid:sphere"));
+    QVERIFY(f.open("solid:sphere:16"));
     SurfacePicture picture;
     picture.surface = f.source.surface();
     picture.setting = f.setting();
@@ -286,7 +286,7 @@ class SurfaceModelTest : public QObject {
 
   void theProbeReadsTheSphere() {
     Fixture f;
-    QVERIFY(f.open("solid:sphere"));
+    QVERIFY(f.open("solid:sphere:16"));
     const Projection projection =
         orbitProjection(f.setting().camera, f.source.surface()->ballRadius, 300, 300);
     const auto reading = readingAt(*f.source.surface(), projection, {150, 150});
@@ -299,7 +299,7 @@ class SurfaceModelTest : public QObject {
 
   void exportedLinesAreThoseOfTheWindow() {
     Fixture f;
-    QVERIFY(f.open("solid:torus"));
+    QVERIFY(f.open("solid:torus:30"));
     SurfacePicture picture;
     picture.surface = f.source.surface();
     picture.setting = f.setting();

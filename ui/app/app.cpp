@@ -25,6 +25,7 @@ namespace {
 
 constexpr double kSmallestFontPt = 9.0;
 constexpr int kPaintTimeoutMs = 5000;
+constexpr int kSurfaceTimeoutMs = 600000;  ///< a mesh of millions of triangles takes its time
 
 /// What every way into the window sets up once the application object is there.
 void setUpApplication() {
@@ -54,15 +55,18 @@ void waitUntilPainted(QWidget& window) {
 }
 
 /// Lets work that goes on beside the window (the sweep, for example) come to its end and be shown.
-void waitForWork() {
+void waitForWork(MainWindow& window) {
   QElapsedTimer timer;
   timer.start();
   constexpr int kQuietMs = 150;
   QElapsedTimer quiet;
   quiet.start();
-  while (timer.elapsed() < kPaintTimeoutMs && quiet.elapsed() < kQuietMs) {
+  const SurfaceModels surface = window.surfaceModels();
+  while (quiet.elapsed() < kQuietMs) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    if (QThreadPool::globalInstance()->activeThreadCount() > 0) quiet.restart();
+    const bool onSurface = surface.source.isBusy() || surface.seen.isStale();
+    if (onSurface || QThreadPool::globalInstance()->activeThreadCount() > 0) quiet.restart();
+    if (timer.elapsed() > (onSurface ? kSurfaceTimeoutMs : kPaintTimeoutMs)) return;
   }
 }
 
@@ -76,13 +80,14 @@ void dress(MainWindow& window, const Shot& shot) {
   const auto theme = Display::themeNamed(shot.theme);
   if (!theme) refuse("--theme", shot.theme, {"system", "light", "dark", "high-contrast"});
   const auto layout = Layouts::kindNamed(QString::fromStdString(shot.layout));
-  if (!layout) refuse("--layout", shot.layout, {"work", "picture", "projector"});
+  if (!layout) refuse("--layout", shot.layout, {"work", "surface", "picture", "projector"});
   const QStringList panels = window.docks().ids();
   for (const std::string& panel : shot.show) {
     if (!panels.contains(QString::fromStdString(panel))) refuse("--show", panel, panels);
   }
   window.display().setTheme(*theme);
-  window.layouts().use(*layout);
+  const bool chosen = *layout != Layouts::Kind::Work || !window.document().scene().surface;
+  if (chosen) window.layouts().use(*layout);
   if (shot.scale > 0.0) window.display().setUiScale(shot.scale);
   if (shot.probe) window.probe().setPlace(Probe::Place{shot.probe->first, shot.probe->second});
 }
@@ -127,7 +132,7 @@ int takeShot(int& argc, char** argv, const Shot& shot) {
   for (const std::string& panel : shot.show) window.docks().show(panel.c_str());
   waitUntilPainted(window);
   window.canvas().fit();
-  waitForWork();
+  waitForWork(window);
   QByteArray png;
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);

@@ -30,7 +30,8 @@ struct Shot {
   std::optional<Scene> scene;
   std::filesystem::path output;
   int width = 1280, height = 800;  ///< pixels
-  std::string layout = "work";     ///< "work", "picture", "projector"
+  std::string layout = "work";     ///< "work", "surface", "picture", "projector"; with a
+                                   ///< surface in the scene "work" means "surface"
   std::vector<std::string> show;   ///< panels to open and bring to the front
   std::string theme = "light";     ///< see Display::themeNamed()
   std::string language = "en";

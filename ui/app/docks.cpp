@@ -66,7 +66,11 @@ QStringList Docks::ids() const {
   return ids;
 }
 
-void Docks::arrange() { arrangeOnly(ids()); }
+void Docks::arrangeBut(const QStringList& closed) {
+  QStringList open = ids();
+  for (const QString& id : closed) open.removeAll(id);
+  arrangeOnly(open);
+}
 
 void Docks::arrangeOnly(const QStringList& ids) {
   for (QDockWidget* dock : all_) {

@@ -34,8 +34,8 @@ class Docks {
   const QList<QDockWidget*>& all() const { return all_; }
   QStringList ids() const;
 
-  /// Every panel open and in its place, the first of each group in front.
-  void arrange();
+  /// Every panel but these open and in its place, the first of each group in front.
+  void arrangeBut(const QStringList& closed);
 
   /// Only these panels, by id, each in its place; all others closed.
   void arrangeOnly(const QStringList& ids);

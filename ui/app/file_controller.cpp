@@ -64,6 +64,7 @@ void FileController::open() {
 }
 
 void FileController::openFile(const QString& name) {
+  if (other_ && other_(name)) return;
   if (!mayDiscard()) return;
   try {
     if (isSvgName(name.toStdString())) {

@@ -29,8 +29,10 @@ class FileController : public QObject {
   /// Says the answer expected, where the preset has one.
   void startPreset(const Preset& preset);
   void open();  ///< asks which file
-  /// A scene; or a drawing (.svg), which starts an unnamed scene.
+  /// A scene; or a drawing (.svg), which starts an unnamed scene; or what the other opener takes.
   void openFile(const QString& name);
+  /// Asked first about every file; true if it has taken it. A mesh is no scene of its own.
+  void setOtherOpener(std::function<bool(const QString&)> opener) { other_ = std::move(opener); }
   bool save();  ///< asks for a name if there is none; false if not saved
   bool saveAs();
   bool saveTo(const QString& name);
@@ -47,6 +49,8 @@ class FileController : public QObject {
   /// Files opened or saved last, newest first; also those that are gone in the meantime.
   QStringList recentFiles() const;
   void clearRecentFiles();
+  /// Puts a file that was opened at the head of the list.
+  void remember(const QString& name);
   static constexpr int kRecentFiles = 8;
 
  signals:
@@ -55,7 +59,6 @@ class FileController : public QObject {
   void recentFilesChanged();
 
  private:
-  void remember(const QString& name);
   void forget(const QString& name);
   void setRecent(const QStringList& names);
   QString suggestedName() const;
@@ -65,6 +68,7 @@ class FileController : public QObject {
   MessageBar& messages_;
   QSettings* settings_;
   std::function<bool()> hasUnsavedWork_;
+  std::function<bool(const QString&)> other_;
 };
 
 /// "Untitled" or the name of the file without its folder.

@@ -38,6 +38,12 @@ void addLayouts(QMenu& menu, const MenuParts& parts) {
                              LayoutMenuWords::tr("Canvas and all panels"),
                              {QKeySequence(Qt::CTRL | Qt::Key_1)}},
                             [&layouts] { layouts.use(Kind::Work); });
+  QAction* surface = addChoice(menu, *group,
+                               {"view.layout.surface",
+                                LayoutMenuWords::tr("&Surface"),
+                                LayoutMenuWords::tr("The surface large, the canvas beside it"),
+                                {QKeySequence(Qt::CTRL | Qt::Key_3)}},
+                               [&layouts] { layouts.use(Kind::Surface); });
   QAction* picture = addChoice(menu, *group,
                                {"view.layout.picture",
                                 LayoutMenuWords::tr("&Picture-Making"),
@@ -56,8 +62,9 @@ void addLayouts(QMenu& menu, const MenuParts& parts) {
             {"view.restore-layout", LayoutMenuWords::tr("R&estore Panels"),
              LayoutMenuWords::tr("The panels of this layout back to their places")},
             [&layouts] { layouts.restoreDefault(); });
-  const auto show = [&layouts, work, picture, projector] {
+  const auto show = [&layouts, work, surface, picture, projector] {
     work->setChecked(layouts.current() == Kind::Work);
+    surface->setChecked(layouts.current() == Kind::Surface);
     picture->setChecked(layouts.current() == Kind::Picture);
     projector->setChecked(layouts.current() == Kind::Projector);
   };

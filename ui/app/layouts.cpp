@@ -14,12 +14,16 @@ namespace flatland::ui {
 
 namespace {
 
-constexpr int kVersion = 3;  ///< of saveState(): raise when docks change names
+constexpr int kVersion = 4;  ///< of saveState(): raise when docks change names
+
+const QStringList kSurfacePanels{"families", "surface"};
 
 QString nameOf(Layouts::Kind kind) {
   switch (kind) {
     case Layouts::Kind::Work:
       return QStringLiteral("work");
+    case Layouts::Kind::Surface:
+      return QStringLiteral("surface");
     case Layouts::Kind::Picture:
       return QStringLiteral("picture");
     case Layouts::Kind::Projector:
@@ -28,8 +32,8 @@ QString nameOf(Layouts::Kind kind) {
   return QStringLiteral("projector");
 }
 
-constexpr Layouts::Kind kKinds[] = {Layouts::Kind::Work, Layouts::Kind::Picture,
-                                    Layouts::Kind::Projector};
+constexpr Layouts::Kind kKinds[] = {Layouts::Kind::Work, Layouts::Kind::Surface,
+                                    Layouts::Kind::Picture, Layouts::Kind::Projector};
 
 }  // namespace
 
@@ -40,12 +44,14 @@ std::optional<Layouts::Kind> Layouts::kindNamed(const QString& name) {
   return std::nullopt;
 }
 
-Layouts::Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& pictureBar)
+Layouts::Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& pictureBar,
+                 QWidget& surface)
     : QObject(&window),
       window_(window),
       docks_(docks),
       display_(display),
       pictureBar_(pictureBar),
+      surface_(surface),
       leave_(new QToolButton(window.statusBar())) {
   leave_->setObjectName("projector.leave");
   leave_->setText(tr("Esc: leave"));
@@ -86,12 +92,16 @@ void Layouts::enter(Kind kind) {
   const QByteArray state = states_.value(kind);
   if (state.isEmpty() || !window_.restoreState(state, kVersion)) arrange();
   pictureBar_.setVisible(kind == Kind::Picture);
+  surface_.setVisible(kind == Kind::Surface);
 }
 
 void Layouts::arrange() {
   switch (current_) {
     case Kind::Work:
-      docks_.arrange();
+      docks_.arrangeBut(kSurfacePanels);
+      break;
+    case Kind::Surface:
+      docks_.arrangeOnly(kSurfacePanels);
       break;
     case Kind::Picture:
       docks_.arrangeOnly({});
@@ -101,6 +111,7 @@ void Layouts::arrange() {
       break;
   }
   pictureBar_.setVisible(current_ == Kind::Picture);
+  surface_.setVisible(current_ == Kind::Surface);
 }
 
 void Layouts::restoreDefault() { arrange(); }

@@ -24,15 +24,17 @@ class Layouts : public QObject {
 
  public:
   enum class Kind {
-    Work,       ///< every panel
+    Work,       ///< every panel of flatland
+    Surface,    ///< the surface large, the canvas beside it, what belongs to the surface
     Picture,    ///< the canvas alone, with what an export needs in a tool bar
     Projector,  ///< full screen, large type, canvas and legend
   };
 
-  /// `pictureBar` is shown in the layout for pictures only.
-  Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& pictureBar);
+  /// `pictureBar` is shown in the layout for pictures only, `surface` in that for surfaces.
+  Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& pictureBar,
+          QWidget& surface);
 
-  /// "work", "picture", "projector"
+  /// "work", "surface", "picture", "projector"
   static std::optional<Kind> kindNamed(const QString& name);
 
   Kind current() const { return current_; }
@@ -63,6 +65,7 @@ class Layouts : public QObject {
   Docks& docks_;
   Display& display_;
   QToolBar& pictureBar_;
+  QWidget& surface_;
   QToolButton* leave_;  ///< says, in projector mode, how to leave it
   Kind current_ = Kind::Work;
   Kind beforeProjector_ = Kind::Work;

@@ -9,6 +9,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
+#include <QSplitter>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -23,14 +24,18 @@
 #include "ui/app/message_bar.h"
 #include "ui/app/panels.h"
 #include "ui/app/status_line.h"
+#include "ui/app/surface_controller.h"
+#include "ui/import/mesh_name.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/paths.h"
+#include "ui/view3d/surface_area.h"
 
 namespace flatland::ui {
 
 namespace {
 
 constexpr QSize kDefaultSize(1280, 800);
+constexpr int kSurfaceShare = 2;    ///< of the width, to one of the canvas
 constexpr int kLessonHeight = 270;  ///< formula, both sides and switches, nothing scrolled away
 
 QString droppedFile(const QMimeData& data) {
@@ -48,6 +53,8 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
       probe_(document_),
       plots_(document_, selection_, display_, probe_),
       lesson_(document_, probe_, display_),
+      surfaceSource_(document_),
+      seenSource_(document_, surfaceSource_),
       docks_(std::make_unique<Docks>(*this)) {
   setObjectName("window");
   setAcceptDrops(true);
@@ -56,25 +63,36 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
   status_ = new StatusLine(*statusBar(), document_);
   buildCentre();
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  const SurfaceModels surface = surfaceModels();
   addPanels(*docks_, models(),
             {.status = *status_,
              .messages = *messages_,
              .plots = plots_,
              .lesson = lesson_,
+             .surface = surface,
              .settings = settings_});
   files_ = new FileController(*this, document_, *messages_, settings_);
   lessons_ = new LessonFiles(*this, lesson_, installedLanguage(), settings_);
   edits_ = new EditController(models(), this);
   imports_ = new ImportController(*this, models(), *messages_);
+  surfaces_ = new SurfaceController(*this, surface, *files_, *messages_, settings_);
   resize(kDefaultSize);
   pictureBar_ = addToolBar(tr("Picture"));
   pictureBar_->setObjectName("picture-bar");
-  layouts_ = new Layouts(*this, *docks_, display_, *pictureBar_);
+  layouts_ = new Layouts(*this, *docks_, display_, *pictureBar_, *surfaceArea_);
   buildMenuBar();
   connectParts();
+  connectSurface();
   if (settings_) {
     display_.restore(*settings_);
     layouts_->restore(*settings_);
+  }
+  // The layout kept may be that of a surface which is not there any more.
+  if (document_.scene().surface) {
+    layouts_->use(Layouts::Kind::Surface);
+    shareCentre();
+  } else if (layouts_->current() == Layouts::Kind::Surface) {
+    layouts_->use(Layouts::Kind::Work);
   }
   showTitle();
   canvas_->setFocus(Qt::OtherFocusReason);
@@ -84,6 +102,7 @@ MainWindow::~MainWindow() {
   // An undo stack that goes tells that it is clean; there is no title left to show it.
   disconnect(&document_.undoStack(), nullptr, this, nullptr);
   // The widgets look at the models to their end, so they go first.
+  surfaceSource_.cancel();
   delete takeCentralWidget();
   docks_.reset();
 }
@@ -94,9 +113,15 @@ void MainWindow::buildCentre() {
   layout->setContentsMargins({});
   layout->setSpacing(0);
   messages_ = new MessageBar(centre);
-  canvas_ = new FlatCanvas(models(), centre);
+  centre_ = new QSplitter(Qt::Horizontal, centre);
+  centre_->setChildrenCollapsible(false);
+  surfaceArea_ = new SurfaceArea(surfaceModels(), centre_);
+  canvas_ = new FlatCanvas(models(), centre_);
+  centre_->setStretchFactor(0, kSurfaceShare);
+  centre_->setStretchFactor(1, 1);
+  surfaceArea_->hide();
   layout->addWidget(messages_);
-  layout->addWidget(canvas_, 1);
+  layout->addWidget(centre_, 1);
   setCentralWidget(centre);
 }
 
@@ -110,6 +135,8 @@ void MainWindow::buildMenuBar() {
               .lesson = lesson_,
               .lessons = *lessons_,
               .imports = *imports_,
+              .surfaces = *surfaces_,
+              .surfaceArea = *surfaceArea_,
               .docks = docks_->all(),
               .exportFigure = [this] { exportFigure(); },
               .showKeys = [this] { showKeys(); },
@@ -157,6 +184,32 @@ void MainWindow::connectParts() {
     if (change.what == Change::What::File || change.what == Change::What::Scene) showTitle();
   });
   status_->showHint(describe(models(), {}));
+}
+
+void MainWindow::shareCentre() {
+  constexpr int kMuch = 10000;  // the splitter makes it fit
+  centre_->setSizes({kSurfaceShare * kMuch, kMuch});
+}
+
+void MainWindow::connectSurface() {
+  files_->setOtherOpener([this](const QString& name) {
+    if (!isMeshName(name.toStdString())) return false;
+    surfaces_->openFile(name);
+    return true;
+  });
+  connect(surfaceArea_, &SurfaceArea::hint, status_, &StatusLine::showHint);
+  connect(surfaceArea_, &SurfaceArea::failed, messages_, &MessageBar::showError);
+  connect(surfaces_, &SurfaceController::said, status_, &StatusLine::say);
+  // Who opens a surface, or a scene with one, wants to see it; from then on it is the layout's.
+  const auto showSurface = [this] {
+    if (layouts_->current() == Layouts::Kind::Surface) return;
+    layouts_->use(Layouts::Kind::Surface);
+    shareCentre();
+  };
+  connect(&surfaceSource_, &SurfaceSource::opened, this, showSurface);
+  connect(&document_, &Document::changed, this, [this, showSurface](const Change& change) {
+    if (change.what == Change::What::Scene && document_.scene().surface) showSurface();
+  });
 }
 
 void MainWindow::setLanguage(const QString& code) {

@@ -11,8 +11,10 @@
 #include "ui/flat/canvas.h"
 #include "ui/lesson/lesson_files.h"
 #include "ui/model/plots.h"
+#include "ui/view3d/surface_models.h"
 
 class QSettings;
+class QSplitter;
 class QToolBar;
 
 namespace flatland::ui {
@@ -22,6 +24,8 @@ class Layouts;
 class Look;
 class MessageBar;
 class StatusLine;
+class SurfaceArea;
+class SurfaceController;
 
 /// The window: puts models, canvas, panels, menus and status line together and does nothing else.
 class MainWindow : public QMainWindow {
@@ -46,6 +50,9 @@ class MainWindow : public QMainWindow {
   LessonModel& lesson() { return lesson_; }
   LessonFiles& lessons() { return *lessons_; }
   ImportController& imports() { return *imports_; }
+  SurfaceModels surfaceModels() { return {document_, surfaceSource_, seenSource_, display_}; }
+  SurfaceController& surfaces() { return *surfaces_; }
+  SurfaceArea& surfaceArea() { return *surfaceArea_; }
 
   void showKeys();
   void exportFigure();
@@ -62,6 +69,8 @@ class MainWindow : public QMainWindow {
   void buildCentre();
   void buildMenuBar();
   void connectParts();
+  void connectSurface();
+  void shareCentre();
   CanvasModels models() { return {document_, selection_, viewport_, display_, stage_, probe_}; }
   void setLanguage(const QString& code);
   void showTitle();
@@ -76,11 +85,16 @@ class MainWindow : public QMainWindow {
   Probe probe_;
   Plots plots_;
   LessonModel lesson_;
+  SurfaceSource surfaceSource_;
+  SeenSource seenSource_;
   std::unique_ptr<Docks> docks_;
   Look* look_ = nullptr;
   Layouts* layouts_ = nullptr;
   QToolBar* pictureBar_ = nullptr;
   MessageBar* messages_ = nullptr;
+  QSplitter* centre_ = nullptr;
+  SurfaceArea* surfaceArea_ = nullptr;
+  SurfaceController* surfaces_ = nullptr;
   FlatCanvas* canvas_ = nullptr;
   StatusLine* status_ = nullptr;
   FileController* files_ = nullptr;

@@ -59,6 +59,7 @@ void buildMenus(const MenuParts& parts) {
   buildEditMenu(addMenu(parts.window, "menu.edit", MenusWords::tr("&Edit")), parts);
   buildCurveMenu(addMenu(parts.window, "menu.curve", MenusWords::tr("&Curve")), parts);
   buildViewMenu(addMenu(parts.window, "menu.view", MenusWords::tr("&View")), parts);
+  buildSurfaceMenu(addMenu(parts.window, "menu.surface", MenusWords::tr("&Surface")), parts);
   buildLessonMenu(addMenu(parts.window, "menu.lesson", MenusWords::tr("&Lesson")), parts);
   // Opening a lesson is looked for among what opens files, too: the same action.
   QMenu& file = *parts.window.findChild<QMenu*>("menu.file");

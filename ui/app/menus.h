@@ -21,6 +21,8 @@ namespace flatland::ui {
 
 class Layouts;
 class Plots;
+class SurfaceArea;
+class SurfaceController;
 
 /// What the menus act on; all of it outlives them.
 struct MenuParts {
@@ -33,6 +35,8 @@ struct MenuParts {
   LessonModel& lesson;
   LessonFiles& lessons;
   ImportController& imports;
+  SurfaceController& surfaces;
+  SurfaceArea& surfaceArea;
   QList<QDockWidget*> docks;
   std::function<void()> exportFigure;
   std::function<void()> showKeys;
@@ -54,6 +58,7 @@ void buildCurveMenu(QMenu& menu, const MenuParts& parts);
 void buildViewMenu(QMenu& menu, const MenuParts& parts);
 void addLayoutMenus(QMenu& viewMenu, const MenuParts& parts);  ///< layout, theme, size, language
 void buildProbeMenu(QMenu& menu, const MenuParts& parts);      // within the View menu
+void buildSurfaceMenu(QMenu& menu, const MenuParts& parts);
 void buildLessonMenu(QMenu& menu, const MenuParts& parts);
 void buildHelpMenu(QMenu& menu, const MenuParts& parts);
 

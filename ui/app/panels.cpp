@@ -16,6 +16,8 @@
 #include "ui/plot/plots_panel.h"
 #include "ui/plot/study_panel.h"
 #include "ui/plot/sweep_panel.h"
+#include "ui/view3d/families_panel.h"
+#include "ui/view3d/surface_panel.h"
 
 namespace flatland::ui {
 
@@ -42,6 +44,8 @@ void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts
   auto* curve = new CurvePanel(models);
   QObject::connect(curve, &CurvePanel::said, &status, &StatusLine::say);
   docks.add("curve", PanelsWords::tr("Curve"), curve, Group::Side);
+  docks.add("families", PanelsWords::tr("Lines"), new FamiliesPanel(parts.surface), Group::Side);
+  docks.add("surface", PanelsWords::tr("Surface"), new SurfacePanel(parts.surface), Group::Side);
   auto* plots = new PlotsPanel(parts.plots, models.display, parts.settings);
   QObject::connect(plots, &PlotsPanel::said, &status, &StatusLine::say);
   QObject::connect(plots, &PlotsPanel::failed, &parts.messages, &MessageBar::showError);

@@ -12,6 +12,7 @@ class LessonModel;
 class MessageBar;
 class Plots;
 class StatusLine;
+struct SurfaceModels;
 
 /// What the panels need beside the models; all of it outlives them.
 struct PanelParts {
@@ -19,6 +20,7 @@ struct PanelParts {
   MessageBar& messages;  ///< for files that cannot be written
   Plots& plots;
   LessonModel& lesson;
+  const SurfaceModels& surface;
   QSettings* settings;  ///< null: nothing is remembered
 };
 

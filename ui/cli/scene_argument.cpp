@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cli/scene_argument.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "flatland/io/scene_json.h"
 #include "ui/cli/command_line.h"
 #include "ui/cli/qt_parts.h"
+#include "ui/import/mesh_name.h"
 
 namespace flatland::ui {
 
@@ -35,6 +39,25 @@ Scene sceneFromArgument(const std::string& argument, std::optional<double> viewA
   return scene;
 }
 
+Scene sceneToShow(const std::string& argument) {
+  if (!namesSurface(argument)) return sceneFromArgument(argument);
+  std::error_code error;
+  if (!namesSolid(argument) && !std::filesystem::exists(argument, error)) {
+    throw InputError(
+        argument, "",
+        "cannot be read: " + std::generic_category().message(error ? error.value() : ENOENT));
+  }
+  Scene scene = defaultScene();
+  scene.surface = SurfaceSetting{};
+  scene.surface->mesh =
+      namesSolid(argument) ? argument : std::filesystem::absolute(argument).string();
+  return scene;
+}
+
+bool namesSurface(const std::string& argument) {
+  return namesSolid(argument) || isMeshName(argument);
+}
+
 void requireCurve(const Scene& scene, std::size_t curve) {
   const std::size_t count = scene.curves.size();
   if (curve < count) return;
@@ -57,7 +80,8 @@ void noteOnStandardError(const std::string& argument, const ImportedScene& impor
 }
 
 bool namesFile(const std::string& argument) {
-  return argument != "-" && !namesPreset(argument) && !namesGlyph(argument);
+  return argument != "-" && !namesPreset(argument) && !namesGlyph(argument) &&
+         !namesSolid(argument);
 }
 
 const Preset& presetNamed(const std::string& id) {

@@ -20,6 +20,19 @@ inline constexpr const char* kSceneHelp =
 /// scene has. Throws InputError; UsageError for a glyph without Qt.
 Scene sceneFromArgument(const std::string& argument, std::optional<double> viewAngleDeg = {});
 
+/// The same for what shows scenes: a mesh file or solid:NAME is put beside the curves of the first
+/// preset. Whether the mesh can be read is found out by who shows it; a file must be there. Throws
+/// InputError.
+Scene sceneToShow(const std::string& argument);
+
+/// True if the argument names a built-in solid or, by its extension, a mesh file.
+bool namesSurface(const std::string& argument);
+
+/// What SCENE means there, for the help texts.
+inline constexpr const char* kShownHelp =
+    "Scene file, SVG file (.svg), mesh (.ply .obj .stl .off .gltf .glb), - for standard input, "
+    "preset:NAME, solid:NAME or glyph:FAMILY:CHARACTER";
+
 /// Throws UsageError, which says how many curves there are, if the scene has no curve of this
 /// number.
 void requireCurve(const Scene& scene, std::size_t curve);

@@ -66,7 +66,7 @@ int run(const Options& options) {
   shot.height = options.size.height;
   if (options.projector) shot.layout = "projector";
   if (!options.probe.empty()) shot.probe = parsedProbe(options.probe);
-  if (!options.scene.empty()) shot.scene = sceneFromArgument(options.scene);
+  if (!options.scene.empty()) shot.scene = sceneToShow(options.scene);
   if (options.viewAngleDeg) {
     if (!shot.scene) shot.scene = defaultScene();
     shot.scene->view.angleDeg = *options.viewAngleDeg;
@@ -82,7 +82,7 @@ void addShotCommand(CLI::App& app, Action& action) {
   Shot& shot = options->shot;
   CLI::App& command = *app.add_subcommand(
       "shot", "Take a picture of the window as it opens on a scene. Works without a display.");
-  command.add_option("scene", options->scene, std::string(kSceneHelp) + " [preset:thesis]")
+  command.add_option("scene", options->scene, std::string(kShownHelp) + " [preset:thesis]")
       ->type_name("SCENE");
   command.add_option("-o,--output", options->output, "File to write: .png")
       ->required()
@@ -90,9 +90,11 @@ void addShotCommand(CLI::App& app, Action& action) {
       ->check(CLI::Validator(whyNotOutput, ""));
   addViewAngle(command, options->viewAngleDeg);
   addSize(command, options->size);
-  command.add_option("--layout", shot.layout, "Layout: work, picture or projector [work]")
+  command
+      .add_option("--layout", shot.layout,
+                  "Layout: work, surface, picture or projector [work; surface if there is one]")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"work", "picture", "projector"}).description(""));
+      ->check(CLI::IsMember({"work", "surface", "picture", "projector"}).description(""));
   command.add_flag("--projector", options->projector, "The same as --layout projector");
   command
       .add_option("--show", shot.show,

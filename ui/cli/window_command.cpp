@@ -45,7 +45,7 @@ int run(const Options& options) {
       .sceneFile = {}, .scene = {}, .language = options.language, .projector = options.projector};
   if (argument.empty()) return windowWithQt(start);
   if (!namesFile(argument)) {
-    start.scene = sceneFromArgument(argument);
+    start.scene = sceneToShow(argument);
     return windowWithQt(start);
   }
   // A file that cannot be understood is reported in the window; a mistyped name is better
@@ -63,7 +63,7 @@ int run(const Options& options) {
 
 void addWindowCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
-  app.add_option("scene", options->scene, std::string(kSceneHelp) + "; shown in the window")
+  app.add_option("scene", options->scene, std::string(kShownHelp) + "; shown in the window")
       ->type_name("SCENE");
   addLanguage(app, options->language,
               "Language of the window: en, de, or system [the one chosen there]");

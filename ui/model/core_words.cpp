@@ -24,7 +24,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "Corner"),
     QT_TRANSLATE_NOOP("Core", "Apparent ridge"),
     QT_TRANSLATE_NOOP("Core", "Apparent minimum"),
-    // ui/export/line_style.cpp; the built-in solids
+    // ui/export/line_style.cpp; the solids of ui/app/surface_menu.cpp
     QT_TRANSLATE_NOOP("Core", "Exterior silhouette"),
     QT_TRANSLATE_NOOP("Core", "Occluding contours"),
     QT_TRANSLATE_NOOP("Core", "Suggestive contours"),

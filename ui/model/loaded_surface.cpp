@@ -3,47 +3,22 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <mutex>
 
 #include "core3d/diff/estimate_fields.h"
-#include "core3d/io/read_mesh.h"
-#include "core3d/mesh/build_mesh.h"
-#include "core3d/mesh/solids.h"
-#include "flatland/io/input_error.h"
+#include "core3d/io/named_mesh.h"
 #include "flatland/scene/surface_setting.h"
 
 namespace flatland::ui {
 
 namespace {
 
-constexpr int kSolidCells = 80;  ///< fine enough to look smooth, estimated in about a second
-
 using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-/// "Gaussian bump" as it is typed: "gaussian-bump".
-std::string typedName(std::string name) {
-  for (char& c : name) {
-    c = c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return name;
-}
-
-BuiltMesh builtSolid(const std::string& reference) {
-  const std::string wanted = reference.substr(std::string(kSolidPrefix).size());
-  std::string known;
-  for (const Solid& solid : standardSolids()) {
-    const std::string name = typedName(solid.name());
-    if (name == wanted) return buildMesh(meshOf(solid, {.cells = kSolidCells}).soup, reference);
-    known += (known.empty() ? "" : ", ") + name;
-  }
-  throw InputError(reference, "", "no such solid; there are " + known);
 }
 
 std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
@@ -61,7 +36,7 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
 
 LoadedSurface loadSurface(const std::string& reference) {
   const auto start = Clock::now();
-  BuiltMesh built = namesSolid(reference) ? builtSolid(reference) : loadMesh(reference);
+  BuiltMesh built = loadNamedMesh(reference);
   LoadedSurface surface;
   surface.reference = reference;
   surface.normals = vertexNormals(built.mesh);
@@ -95,12 +70,6 @@ std::shared_ptr<const LoadedSurface> withFields(const LoadedSurface& surface, do
   whole->fitScale = fitScale;
   whole->fieldMs = millisecondsSince(start);
   return whole;
-}
-
-std::vector<std::string> solidNames() {
-  std::vector<std::string> names;
-  for (const Solid& solid : standardSolids()) names.push_back(typedName(solid.name()));
-  return names;
 }
 
 std::string surfaceName(const std::string& reference) {

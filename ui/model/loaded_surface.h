@@ -27,17 +27,13 @@ struct LoadedSurface {
   double fieldMs = 0.0;
 };
 
-/// Reads and mends the mesh of a reference, or makes the solid. Throws InputError; what is no solid
-/// is told with the list of those there are.
+/// Reads and mends the mesh that a reference names (named_mesh.h). Throws as loadNamedMesh.
 LoadedSurface loadSurface(const std::string& reference);
 
 /// The same surface with its fields. `progress` gets the share done and says whether to go on;
 /// null if it said no. Minutes for millions of triangles.
 std::shared_ptr<const LoadedSurface> withFields(const LoadedSurface& surface, double fitScale,
                                                 const std::function<bool(double)>& progress);
-
-/// The names of the built-in solids, without "solid:".
-std::vector<std::string> solidNames();
 
 /// What a person calls it: the file without its folder, or the solid.
 std::string surfaceName(const std::string& reference);

@@ -1640,6 +1640,14 @@
         <source>A mouse wheel zooms; off: it moves the picture, and Ctrl + wheel zooms</source>
         <translation>Das Mausrad zoomt; aus: es bewegt das Bild, und Strg + Mausrad zoomt</translation>
     </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>&amp;Fläche</translation>
+    </message>
+    <message>
+        <source>The surface large, the canvas beside it</source>
+        <translation>Die Fläche groß, die Leinwand daneben</translation>
+    </message>
 </context>
 <context>
     <name>LessonMenu</name>
@@ -1979,6 +1987,10 @@
         <source>&amp;Lesson</source>
         <translation>&amp;Lektion</translation>
     </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>&amp;Fläche</translation>
+    </message>
 </context>
 <context>
     <name>MoveCurve</name>
@@ -2062,6 +2074,14 @@
     <message>
         <source>Lesson</source>
         <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
     </message>
 </context>
 <context>
@@ -2338,6 +2358,113 @@
     <message>
         <source>turn view</source>
         <translation>Ansicht drehen</translation>
+    </message>
+</context>
+<context>
+    <name>SurfaceMenu</name>
+    <message>
+        <source>&amp;Front	1</source>
+        <translation>Von &amp;vorn	1</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Right	3</source>
+        <translation>Von &amp;rechts	3</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>&amp;Top	7</source>
+        <translation>Von &amp;oben	7</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>Look at the surface from there</source>
+        <translation>Die Fläche von dort aus ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective	5</source>
+        <translation>&amp;Perspektive	5</translation>
+    </message>
+    <message>
+        <source>The viewer of the surface stands at a distance, or far away</source>
+        <translation>Der Betrachter der Fläche steht in einem Abstand oder weit weg</translation>
+    </message>
+    <message>
+        <source>R&amp;eset Camera	R</source>
+        <translation>Kamera &amp;zurücksetzen	R</translation>
+    </message>
+    <message>
+        <source>Look at the surface as when it was opened</source>
+        <translation>Die Fläche so ansehen wie beim Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open Mesh…</source>
+        <translation>Netz &amp;öffnen …</translation>
+    </message>
+    <message>
+        <source>Put a mesh beside the curves: PLY, OBJ, STL, OFF, glTF</source>
+        <translation>Ein Netz neben die Kurven stellen: PLY, OBJ, STL, OFF, glTF</translation>
+    </message>
+    <message>
+        <source>&amp;Solids</source>
+        <translation>&amp;Körper</translation>
+    </message>
+    <message>
+        <source>Put a surface given by a formula beside the curves</source>
+        <translation>Eine durch eine Formel gegebene Fläche neben die Kurven stellen</translation>
+    </message>
+    <message>
+        <source>&amp;Next Mesh in the Folder</source>
+        <translation>&amp;Nächstes Netz im Ordner</translation>
+    </message>
+    <message>
+        <source>Open the next mesh of this folder, by name</source>
+        <translation>Das dem Namen nach nächste Netz dieses Ordners öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Mesh in the Folder</source>
+        <translation>&amp;Voriges Netz im Ordner</translation>
+    </message>
+    <message>
+        <source>Open the mesh before this one in its folder</source>
+        <translation>Das Netz vor diesem in seinem Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Close Surface</source>
+        <translation>Fläche s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Take the surface out of the scene</source>
+        <translation>Die Fläche aus der Szene nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Ansehen</translation>
+    </message>
+    <message>
+        <source>Sp&amp;in	Space</source>
+        <translation>K&amp;reiseln	Leertaste</translation>
+    </message>
+    <message>
+        <source>Turn the surface on and on</source>
+        <translation>Die Fläche immer weiter drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Export Surface…</source>
+        <translation>Fläche &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the picture of the surface</source>
+        <translation>Das Bild der Fläche schreiben</translation>
     </message>
 </context>
 <context>
@@ -2737,10 +2864,6 @@
         <translation>Wie stark eine Linie sein muss; Krümmungen mal Größe der Fläche</translation>
     </message>
     <message>
-        <source>Smallest angle between the two triangles of an edge</source>
-        <translation>Kleinster Winkel zwischen den beiden Dreiecken einer Kante</translation>
-    </message>
-    <message>
         <source>Colour of %1</source>
         <translation>Farbe von %1</translation>
     </message>
@@ -2811,6 +2934,10 @@
     <message>
         <source>change lines</source>
         <translation>Linien ändern</translation>
+    </message>
+    <message>
+        <source>Smallest angle between the two triangles of an edge</source>
+        <translation>Kleinster Winkel zwischen den beiden Dreiecken einer Kante</translation>
     </message>
 </context>
 <context>
@@ -3219,6 +3346,42 @@
     <message>
         <source>Turn once around; Esc goes back</source>
         <translation>Einmal herumdrehen; Esc kehrt zurück</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Drag, Ctrl + drag</source>
+        <translation>Ziehen, Strg + Ziehen</translation>
+    </message>
+    <message>
+        <source>Turn, roll</source>
+        <translation>Drehen, rollen</translation>
+    </message>
+    <message>
+        <source>Shift + drag, middle button</source>
+        <translation>Umschalt + Ziehen, mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>1 3 7, 9</source>
+        <translation>1 3 7, 9</translation>
+    </message>
+    <message>
+        <source>Front, right, top; opposite side</source>
+        <translation>Vorn, rechts, oben; Gegenseite</translation>
+    </message>
+    <message>
+        <source>5, F, R, Space</source>
+        <translation>5, F, R, Leertaste</translation>
+    </message>
+    <message>
+        <source>Perspective, fit, reset, spin</source>
+        <translation>Perspektive, einpassen, zurücksetzen, kreiseln</translation>
     </message>
 </context>
 <context>
@@ -4341,6 +4504,49 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     </message>
 </context>
 <context>
+    <name>flatland::ui::SurfaceController</name>
+    <message>
+        <source>Unknown here and left out: %1</source>
+        <translation>Hier unbekannt und weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>Open mesh</source>
+        <translation>Netz öffnen</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Netze (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>There is no mesh in this folder any more.</source>
+        <translation>In diesem Ordner ist kein Netz mehr.</translation>
+    </message>
+    <message>
+        <source>close surface</source>
+        <translation>Fläche schließen</translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation>Fläche exportieren</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>flaeche</translation>
+    </message>
+    <message>
+        <source>Lines as vectors (*.svg *.pdf *.tex);;Picture with shading (*.png)</source>
+        <translation>Linien als Vektoren (*.svg *.pdf *.tex);;Bild mit Schattierung (*.png)</translation>
+    </message>
+    <message>
+        <source>The lines are not found yet; export again in a moment.</source>
+        <translation>Die Linien sind noch nicht gefunden; exportiere gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportiert nach %1</translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::SurfaceInput</name>
     <message>
         <source>Drag: turn. Shift + drag: move. Wheel: zoom. 1 3 7: views. 5: perspective.</source>
@@ -4420,6 +4626,10 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
 </context>
 <context>
     <name>flatland::ui::SurfacePanel</name>
+    <message>
+        <source>What was found in the mesh</source>
+        <translation>Was im Netz gefunden wurde</translation>
+    </message>
     <message>
         <source>Paper, lines only</source>
         <translation>Papier, nur Linien</translation>

@@ -29,6 +29,8 @@ constexpr int kSliderEnd = 200;
 constexpr double kDecades = 4.0, kLeast = 0.01;
 constexpr double kMostThreshold = 1e6, kMostWidth = 12.0;
 constexpr int kIconPx = 16;
+// In px: a row of six columns has room in the dock, in German too.
+constexpr int kSliderWidth = 32, kThresholdWidth = 52, kWidthWidth = 36;
 
 double thresholdAt(int slider) {
   if (slider <= 0) return 0.0;
@@ -93,7 +95,7 @@ FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, 
   row.slider = new QSlider(Qt::Horizontal, this);
   row.slider->setObjectName(idOf(family, "slider"));
   row.slider->setRange(0, kSliderEnd);
-  row.slider->setMinimumWidth(50);
+  row.slider->setMinimumWidth(kSliderWidth);
   row.slider->setAccessibleName(tr("Threshold of %1").arg(title));
   row.slider->setToolTip(tr("How strong a line must be; curvatures times the size of the surface"));
   connect(row.slider, &QSlider::sliderPressed, this,
@@ -106,10 +108,10 @@ FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, 
   row.threshold = new QDoubleSpinBox(this);
   row.threshold->setObjectName(idOf(family, "threshold"));
   row.threshold->setRange(0.0, kMostThreshold);
-  row.threshold->setDecimals(3);
+  row.threshold->setDecimals(2);
   row.threshold->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   row.threshold->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  row.threshold->setMaximumWidth(64);
+  row.threshold->setMaximumWidth(kThresholdWidth);
   row.threshold->setKeyboardTracking(false);
   row.threshold->setAccessibleName(row.slider->accessibleName());
   row.threshold->setToolTip(row.slider->toolTip());
@@ -136,7 +138,8 @@ FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, 
   row.width->setDecimals(1);
   row.width->setSingleStep(0.2);
   row.width->setKeyboardTracking(false);
-  row.width->setMaximumWidth(56);
+  row.width->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  row.width->setMaximumWidth(kWidthWidth);
   row.width->setAccessibleName(tr("Width of %1").arg(title));
   row.width->setToolTip(tr("Width in pixels"));
   connect(row.width, &QDoubleSpinBox::valueChanged, this, [this, family](double value) {

@@ -26,8 +26,9 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
       models_(models),
       pages_(new QStackedWidget(this)),
       empty_(new QLabel(this)),
-      progress_(makeProgress()) {
+      progress_(nullptr) {
   setObjectName("surface-area");
+  progress_ = makeProgress();  // not before its own parts have their initial values
   empty_->setObjectName("surface.empty");
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
@@ -74,12 +75,14 @@ QWidget* SurfaceArea::makeProgress() {
 }
 
 void SurfaceArea::showEvent(QShowEvent* event) {
-  if (!canvas_) makeCanvas();
+  // A first widget of OpenGL makes Qt create the window anew, which it must not while it is shown.
+  if (!canvas_) QMetaObject::invokeMethod(this, &SurfaceArea::makeCanvas, Qt::QueuedConnection);
   models_.source.setActive(true);
   QWidget::showEvent(event);
 }
 
 void SurfaceArea::makeCanvas() {
+  if (canvas_) return;
   if (GlCanvas::possible()) {
     auto* gl = new GlCanvas(models_, pages_);
     connect(gl, &GlCanvas::failed, this, &SurfaceArea::failed);

@@ -4,12 +4,12 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
-#include <QPointingDevice>
 #include <QWheelEvent>
 #include <QWidget>
 #include <cmath>
 #include <numbers>
 
+#include "ui/flat/wheel.h"
 #include "ui/model/orbit.h"
 
 namespace flatland::ui {
@@ -25,11 +25,6 @@ constexpr int kSpinIntervalMs = 16;
 constexpr double kSpinStepRad = std::numbers::pi / 360.0;  ///< a turn in about 12 s
 
 Vector2d vectorOf(const QPointF& p) { return {p.x(), p.y()}; }
-
-bool scrollsByFingers(const QWheelEvent& event) {
-  if (event.device()->type() == QInputDevice::DeviceType::TouchPad) return true;
-  return event.phase() != Qt::NoScrollPhase;
-}
 
 }  // namespace
 
@@ -185,9 +180,7 @@ void SurfaceInput::endDrag() {
 }
 
 bool SurfaceInput::wheel(const QWheelEvent& event) {
-  const bool zooms = event.modifiers().testFlag(Qt::ControlModifier) ||
-                     (!scrollsByFingers(event) && models_.display.wheelZooms());
-  if (zooms) {
+  if (wheelZoomsHere(event, models_.display)) {
     const double notches = event.angleDelta().y() / kDegreesPerNotch;
     setCamera(zoomedAt(camera(), projection(), vectorOf(event.position()),
                        std::pow(kZoomPerNotch, notches)));

@@ -50,6 +50,8 @@ SurfacePanel::SurfacePanel(const SurfaceModels& models, QWidget* parent)
   setObjectName("surface-panel");
   report_ = new QLabel(this);
   report_->setObjectName("surface.report");
+  report_->setAccessibleName(tr("What was found in the mesh"));
+  report_->setToolTip(report_->accessibleName());
   report_->setWordWrap(true);
   report_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* layout = new QVBoxLayout(this);

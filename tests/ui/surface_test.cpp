@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface in the real window, by mouse and keys. FLATLAND_DATA names the example meshes.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QSlider>
+
+#include "flatland/io/scene_json.h"
+#include "tests/ui/support_window.h"
+#include "ui/app/layouts.h"
+#include "ui/app/surface_controller.h"
+#include "ui/model/surface_look.h"
+#include "ui/view3d/surface_area.h"
+#include "ui/view3d/surface_overlay.h"
+
+using namespace flatland;
+using namespace flatland::ui;
+
+namespace {
+
+constexpr int kPatienceMs = 60000;
+
+/// A mesh of the example data; empty where there is none.
+QString dataMesh(const char* name) {
+  const QString folder = qEnvironmentVariable("FLATLAND_DATA", FLATLAND_DATA_FOLDER);
+  const QString file = folder + "/meshes/" + name;
+  return QFile::exists(file) ? file : QString();
+}
+
+/// Somewhere on the picture there is more than the background.
+bool hasPicture(const QImage& image) {
+  const QRgb corner = image.pixel(2, image.height() / 2);
+  int others = 0;
+  for (int y = 0; y < image.height(); y += 4) {
+    for (int x = 0; x < image.width(); x += 4) others += image.pixel(x, y) != corner;
+  }
+  return others > 500;
+}
+
+}  // namespace
+
+class SurfaceTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    driver_ = std::make_unique<WindowDriver>();
+    QVERIFY(driver_->ready());
+  }
+  void cleanup() { driver_.reset(); }
+
+  void aMeshComesByTheOpenDialog() {
+    const QString mesh = dataMesh("spot_quads.obj");
+    if (mesh.isEmpty()) QSKIP("no example meshes");
+    WindowDriver& d = *driver_;
+    const Scene before = d.scene();
+    typeFileName(mesh);
+    d.canvasKey(Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(quiet());
+    QCOMPARE(QString::fromStdString(d.scene().surface->mesh), mesh);
+    QVERIFY(d.scene().curves == before.curves);
+    QCOMPARE(d.document().undoStack().count(), 1);
+    QVERIFY(d.window().layouts().current() == Layouts::Kind::Surface);
+    QVERIFY(d.window().surfaceArea().isVisible());
+    QVERIFY(d.canvas().isVisible());
+    QVERIFY(hasPicture(surface().grab().toImage()));
+    QVERIFY(d.window().files().recentFiles().contains(mesh));
+    // The next one of the folder and back.
+    d.trigger("surface.next");
+    QVERIFY(quiet());
+    QVERIFY(QString::fromStdString(d.scene().surface->mesh).endsWith("sword_quads.obj"));
+    d.trigger("surface.previous");
+    QVERIFY(quiet());
+    QCOMPARE(QString::fromStdString(d.scene().surface->mesh), mesh);
+  }
+
+  void aSolidComesByTheMenu() {
+    driver_->trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    QCOMPARE(driver_->scene().surface->mesh, std::string("solid:torus"));
+    QVERIFY(hasPicture(surface().grab().toImage()));
+  }
+
+  void aBadMeshIsToldInTheOnePlace() {
+    WindowDriver& d = *driver_;
+    QFile file(d.path("bad.ply"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("ply\nformat ascii 1.0\nelement vertex 999999999\n");
+    file.close();
+    const Scene before = d.scene();
+    drop(file.fileName());
+    QVERIFY(quiet());
+    QVERIFY(d.scene() == before);
+    auto& message = d.child<QLabel>("message.text");
+    QVERIFY(message.isVisible());
+    QVERIFY2(message.text().contains("bad.ply"), qPrintable(message.text()));
+    QVERIFY(!d.document().isModified());
+  }
+
+  void mouseAndKeysTurnTheCamera() {
+    openSolid("torus:40");
+    WindowDriver& d = *driver_;
+    const int steps = d.document().undoStack().count();
+    const SurfaceCamera start = camera();
+    drag({200, 200}, {260, 200});
+    QVERIFY((camera().towards - start.towards).norm() > 0.1);
+    QCOMPARE(camera().centre, start.centre);
+    const SurfaceCamera turned = camera();
+    drag({200, 200}, {230, 180}, Qt::ShiftModifier);
+    QVERIFY((camera().centre - turned.centre).norm() > 0.01);
+    QCOMPARE(camera().towards, turned.towards);
+    const SurfaceCamera moved = camera();
+    drag({200, 200}, {230, 180}, {}, Qt::MiddleButton);
+    QVERIFY((camera().centre - moved.centre).norm() > 0.01);
+    // Esc takes a drag back.
+    const SurfaceCamera before = camera();
+    QTest::mousePress(&surface(), Qt::LeftButton, {}, {200, 200});
+    move({280, 240});
+    QVERIFY(!(camera() == before));
+    QTest::keyClick(&surface(), Qt::Key_Escape);
+    QVERIFY(camera() == before);
+    QTest::mouseRelease(&surface(), Qt::LeftButton, {}, {280, 240});
+    key(Qt::Key_7);
+    QCOMPARE(camera().towards, Eigen::Vector3d(0, 1, 0));
+    key(Qt::Key_9);
+    QCOMPARE(camera().towards, Eigen::Vector3d(0, -1, 0));
+    key(Qt::Key_3);
+    QCOMPARE(camera().towards, Eigen::Vector3d(1, 0, 0));
+    key(Qt::Key_1);
+    QCOMPARE(camera().towards, Eigen::Vector3d(0, 0, 1));
+    QCOMPARE(d.scene().view.angleDeg, defaultScene().view.angleDeg);  // the flat view's own keys
+    key(Qt::Key_5);
+    QVERIFY(camera().perspectiveDeg);
+    key(Qt::Key_Left);
+    QVERIFY((camera().towards - Eigen::Vector3d(0, 0, 1)).norm() > 0.05);
+    key(Qt::Key_R);
+    QVERIFY(camera() == SurfaceCamera{});
+    QCOMPARE(d.document().undoStack().count(), steps);
+  }
+
+  void theWheelZoomsAtThePointer() {
+    openSolid("torus:40");
+    const double zoom = camera().zoom;
+    QWheelEvent event({150, 150}, surface().mapToGlobal(QPointF(150, 150)), {}, {0, 240},
+                      Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&surface(), &event);
+    QVERIFY(camera().zoom > 1.3 * zoom);
+    QVERIFY(camera().centre.norm() > 0.0);
+    key(Qt::Key_F);
+    QCOMPARE(camera().zoom, 1.0);
+  }
+
+  void spaceSpins() {
+    openSolid("sphere:16");
+    const SurfaceCamera before = camera();
+    key(Qt::Key_Space);
+    QVERIFY(driver_->child<QAction>("surface.spin").isChecked());
+    QTRY_VERIFY((camera().towards - before.towards).norm() > 0.02);
+    key(Qt::Key_Escape);
+    QVERIFY(!driver_->child<QAction>("surface.spin").isChecked());
+  }
+
+  void familiesAreSwitchedByMouse() {
+    openSolid("bumpy-sphere:30");
+    WindowDriver& d = *driver_;
+    auto& on = d.child<QCheckBox>("families.apparent-ridges.on");
+    QVERIFY(on.isVisible() && on.isChecked());
+    QVERIFY(shown(LineFamily::ApparentRidges) > 0);
+    QTest::mouseClick(&on, Qt::LeftButton, {}, {8, on.height() / 2});
+    QVERIFY(quiet());
+    QCOMPARE(shown(LineFamily::ApparentRidges), std::size_t{0});
+    d.trigger("edit.undo");
+    QVERIFY(quiet());
+    QVERIFY(on.isChecked());
+    const std::size_t usual = shown(LineFamily::ApparentRidges);
+    QVERIFY(usual > 0);
+    // A typed threshold, and the slider goes along.
+    auto& field = d.child<QDoubleSpinBox>("families.apparent-ridges.threshold");
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, "9");
+    QTest::keyClick(&field, Qt::Key_Return);
+    QVERIFY(quiet());
+    QVERIFY(shown(LineFamily::ApparentRidges) < usual);
+    auto& slider = d.child<QSlider>("families.apparent-ridges.slider");
+    QVERIFY(slider.value() > 100);
+    // A pull of the slider is one step.
+    const int steps = d.document().undoStack().count();
+    slider.setSliderDown(true);
+    for (const int value : {90, 60, 30}) slider.setValue(value);
+    slider.setSliderDown(false);
+    QVERIFY(quiet());
+    QCOMPARE(d.document().undoStack().count(), steps + 1);
+    QVERIFY(shown(LineFamily::ApparentRidges) > usual);
+  }
+
+  void colourMapsHaveALegendAndAProbe() {
+    openSolid("torus:40");
+    WindowDriver& d = *driver_;
+    d.window().docks().show("surface");
+    d.settle();
+    auto& quantity = d.child<QComboBox>("surface.quantity");
+    quantity.setFocus();
+    QTest::keyClick(&quantity, Qt::Key_Up);
+    QVERIFY(quiet());
+    QCOMPARE(d.scene().surface->style, std::string("colours"));
+    QCOMPARE(d.scene().surface->quantity, std::string("k2"));
+    QVERIFY(d.window().surfaceModels().seen.seen()->colours);
+    key(Qt::Key_1);
+    QVERIFY(quiet());
+    // On the ring of the torus, not in its hole.
+    const Projection projection =
+        orbitProjection(camera(), d.window().surfaceModels().source.surface()->ballRadius,
+                        surface().width(), surface().height());
+    const QPoint middle(surface().width() / 2, surface().height() / 2);
+    const int ring = qRound(0.71 * projection.pxPerUnit);
+    move(middle + QPoint(ring, 0));
+    SurfaceOverlay& overlay = *d.window().surfaceArea().overlay();
+    QTRY_VERIFY(overlay.reading().has_value());
+    QVERIFY(overlay.reading()->terms);
+    QVERIFY(overlay.readingLines().size() > 3);
+    move(middle);
+    QTRY_VERIFY(!overlay.reading().has_value());
+    QVERIFY(overlay.timeLines().size() == 2);
+  }
+
+  void camerasAreKeptWithTheScene() {
+    openSolid("torus:40");
+    WindowDriver& d = *driver_;
+    d.window().docks().show("surface");
+    d.settle();
+    key(Qt::Key_7);
+    QTest::mouseClick(&d.child<QAbstractButton>("surface.camera.keep"), Qt::LeftButton);
+    key(Qt::Key_3);
+    auto& list = d.child<QListWidget>("surface.cameras");
+    QCOMPARE(list.count(), 1);
+    const QPoint at = list.visualItemRect(list.item(0)).center();
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(list.viewport(), Qt::LeftButton, {}, at);
+    d.settle();
+    QCOMPARE(camera().towards, Eigen::Vector3d(0, 1, 0));
+    // Saved and opened again, with what is drawn.
+    const Scene mine = d.scene();
+    QVERIFY(d.window().files().saveTo(d.path("mine.json")));
+    d.trigger("file.new");
+    QVERIFY(!d.scene().surface);
+    d.window().files().openFile(d.path("mine.json"));
+    QVERIFY(quiet());
+    QVERIFY(d.scene() == mine);
+    QVERIFY(d.window().surfaceModels().source.surface());
+  }
+
+  void whatIsSeenIsExported() {
+    openSolid("torus:40");
+    WindowDriver& d = *driver_;
+    const QString svg = d.path("lines.svg"), png = d.path("picture.png");
+    typeFileName(svg);
+    d.trigger("surface.export");
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(svg), kPatienceMs);
+    QFile file(svg);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    QVERIFY(text.contains("contours-visible"));
+    QVERIFY(text.contains("solid:torus"));  // the scene it came from
+    d.window().surfaces().exportTo(png, {640, 480});
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(png), kPatienceMs);
+    QCOMPARE(QImage(png).size(), QSize(640, 480));
+    QVERIFY(hasPicture(QImage(png)));
+  }
+
+ private:
+  QWidget& surface() { return *driver_->window().surfaceArea().canvas(); }
+  const SurfaceCamera& camera() { return driver_->scene().surface->camera; }
+  std::size_t shown(LineFamily family) {
+    return driver_->window()
+        .surfaceModels()
+        .seen.seen()
+        ->lines[static_cast<std::size_t>(family)]
+        .size();
+  }
+  /// Nothing is read or searched any more.
+  bool quiet() {
+    const SurfaceModels models = driver_->window().surfaceModels();
+    const bool done = QTest::qWaitFor(
+        [&models] { return !models.source.isBusy() && !models.seen.isStale(); }, kPatienceMs);
+    driver_->settle();
+    return done;
+  }
+  void openSolid(const char* name) {
+    driver_->window().surfaces().openSolid(name);
+    QVERIFY(quiet());
+    QVERIFY(driver_->scene().surface.has_value());
+    driver_->window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&driver_->window()));
+    surface().setFocus();
+  }
+  void key(Qt::Key k) {
+    surface().setFocus();
+    QTest::keyClick(&surface(), k);
+    driver_->settle();
+  }
+  void move(const QPoint& p, Qt::KeyboardModifiers keys = {}, Qt::MouseButton b = Qt::NoButton) {
+    const bool pressed = b != Qt::NoButton || QGuiApplication::mouseButtons() != Qt::NoButton;
+    QMouseEvent event(QEvent::MouseMove, p, surface().mapToGlobal(p), Qt::NoButton,
+                      pressed && b == Qt::NoButton ? Qt::LeftButton : b, keys);
+    QCoreApplication::sendEvent(&surface(), &event);
+  }
+  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {},
+            Qt::MouseButton b = Qt::LeftButton) {
+    QTest::mousePress(&surface(), b, keys, from);
+    for (int i = 1; i <= 4; ++i) move(from + (to - from) * i / 4, keys, b);
+    QTest::mouseRelease(&surface(), b, keys, to);
+    driver_->settle();
+  }
+  void drop(const QString& name) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(name)});
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&driver_->window(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&driver_->window(), &event);
+  }
+
+  std::unique_ptr<WindowDriver> driver_;
+};
+
+QTEST_MAIN(SurfaceTest)
+#include "surface_test.moc"

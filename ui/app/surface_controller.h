@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QSize>
+#include <QString>
+
+#include "ui/jobs/job.h"
+#include "ui/view3d/surface_models.h"
+
+class QSettings;
+class QWidget;
+
+namespace flatland::ui {
+
+class FileController;
+class MessageBar;
+
+/// Opening meshes, stepping through a folder of them, and pictures of the surface. What cannot be
+/// read or written is told by the message bar and changes nothing.
+class SurfaceController : public QObject {
+  Q_OBJECT
+
+ public:
+  SurfaceController(QWidget& window, const SurfaceModels& models, FileController& files,
+                    MessageBar& messages, QSettings* settings);
+
+  void open();  ///< asks which file
+  void openFile(const QString& name);
+  void openSolid(const QString& name);  ///< without "solid:"
+  /// The next (1) or previous (-1) mesh in the folder of this one, by name, around the end.
+  void openNeighbour(int step);
+  /// True if there are meshes to step to.
+  bool hasNeighbours() const;
+  void close();
+
+  void exportPicture();  ///< asks where to
+  /// Writes what is seen, in a size in px: as PNG the picture with its shading, as SVG, PDF or TikZ
+  /// the lines as vectors. Done beside the window's thread: said() tells the end, the message bar a
+  /// failure.
+  void exportTo(const QString& name, const QSize& size);
+
+  const SurfaceModels& models() const { return models_; }
+
+ signals:
+  void said(const QString& text);
+
+ private:
+  QString folder() const;
+  void write(const QString& name, const std::function<void()>& writing);
+
+  QWidget& window_;
+  SurfaceModels models_;
+  FileController& files_;
+  MessageBar& messages_;
+  QSettings* settings_;
+  Job export_;
+};
+
+}  // namespace flatland::ui
