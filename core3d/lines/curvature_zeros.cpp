@@ -16,8 +16,9 @@ Segments zerosOf(const TriangleMesh& mesh, const SurfaceFields& fields, const Fu
     const auto& v = mesh.triangles[t];
     const Crossings found = zeroCrossings({function(v[0]), function(v[1]), function(v[2])});
     if (found.count != 2) continue;
-    if (std::any_of(v.begin(), v.end(),
-                    [&](std::uint32_t u) { return fields.normal(u).squaredNorm() < 0.25f; }))
+    if (std::any_of(v.begin(), v.end(), [&](std::uint32_t u) {
+          return !(fields.normal(u).squaredNorm() > kKnownNormalSq);
+        }))
       continue;
     float at[2];
     for (int i = 0; i < 2; ++i) {

@@ -34,7 +34,7 @@ void seeHighlights(const TriangleMesh& mesh, const SurfaceFields& fields, const 
     const unsigned flags = (sign * e.x() > 0.0f ? 1u : 0u) | (sign * e.y() > 0.0f ? 2u : 0u) |
                            (sign * e.z() > 0.0f ? 4u : 0u) | (nw > 0.0f ? VertexFlag::kFront : 0u) |
                            (second ? VertexFlag::kRadial : 0u) |
-                           (n.squaredNorm() > 0.25f ? VertexFlag::kKnown : 0u);
+                           (n.squaredNorm() > kKnownNormalSq ? VertexFlag::kKnown : 0u);
     highlights.flags[v] = static_cast<std::uint8_t>(flags);
   }
 }

@@ -68,7 +68,7 @@ HWY_INLINE void seeVector(D d, const Call& call, std::size_t i) {
   const auto front = hn::Gt(nw, zero);
   const V nn = hn::MulAdd(nx, nx, hn::MulAdd(ny, ny, hn::Mul(nz, nz)));
   U flags = hn::Or(bit(front, VertexFlag::kFront),
-                   bit(hn::Gt(nn, hn::Set(d, 0.25f)), VertexFlag::kKnown));
+                   bit(hn::Gt(nn, hn::Set(d, kKnownNormalSq)), VertexFlag::kKnown));
   if constexpr (!kRadial) flags = hn::Or(flags, hn::Set(du, std::uint32_t{call.radialFlag}));
   if constexpr (!kRidges && !kRadial) (void)one, (void)half;
 
@@ -123,8 +123,8 @@ HWY_INLINE void seeVector(D d, const Call& call, std::size_t i) {
       const V feature = hn::Mul(hn::Mul(facing, root), cubic);
       const V rv = hn::MulAdd(r1, v1, hn::Mul(r2, v2));
       const V vp = hn::MulAdd(v1, p1, hn::Mul(v2, p2));
-      const V offset = hn::CopySign(one, nw);
-      V sum = hn::NegMulAdd(hn::Mul(offset, lambda), hn::Mul(rv, vp), feature);
+      const V sideOfViewer = hn::CopySign(one, nw);
+      V sum = hn::NegMulAdd(hn::Mul(sideOfViewer, lambda), hn::Mul(rv, vp), feature);
       if constexpr (kPerspective) {
         const V wr = hn::MulAdd(w1, r1, hn::Mul(w2, r2));
         sum = hn::NegMulAdd(hn::Mul(facing, lambda), hn::Mul(wr, inverseDistance), sum);

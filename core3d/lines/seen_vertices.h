@@ -11,6 +11,9 @@
 
 namespace flatland {
 
+/// Normals are unit vectors or, where unknown, 0: halfway between, squared.
+inline constexpr float kKnownNormalSq = 0.25f;
+
 /// What a face asks of its vertices before it looks closer, in one byte for each.
 struct VertexFlag {
   /// Signs of the components of SeenVertices::r. Two directions that disagree (negative product)

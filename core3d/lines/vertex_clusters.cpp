@@ -31,7 +31,8 @@ VertexClusters::VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fi
     cluster.k2Min = fields.k2[around[0]];
     for (const std::uint32_t v : around) {
       const Eigen::Vector3f n = fields.normal(v);
-      known = known && n.squaredNorm() > 0.25f && std::isfinite(fields.k1[v] + fields.k2[v]);
+      known =
+          known && n.squaredNorm() > kKnownNormalSq && std::isfinite(fields.k1[v] + fields.k2[v]);
       axis += n;
       low = low.cwiseMin(mesh.position(v));
       high = high.cwiseMax(mesh.position(v));
