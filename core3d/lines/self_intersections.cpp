@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "core3d/lines/families.h"
 
@@ -113,6 +114,33 @@ std::optional<LineEnd> pierced(const TriangleMesh& mesh, std::uint32_t h, std::u
                  freeNode(edgeNode(mesh, h) * mesh.triangleCount() + u)};
 }
 
+// How far a stored position may be from where it was meant to be: coordinates are floats of size
+// up to one, and two of them make a difference.
+constexpr double kRounding = 2.0 * std::numeric_limits<float>::epsilon();
+
+// Whether t has vertices on both sides of the plane of u, further from it than the rounding of the
+// positions can have moved them or the plane. Nothing crosses a plane that u is too thin to have.
+bool crossesPlane(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t u) {
+  const auto at = [&mesh](std::uint32_t v) {
+    return Eigen::Vector3d(mesh.position(v).cast<double>());
+  };
+  const auto& [a, b, c] = mesh.triangles[u];
+  const Eigen::Vector3d ab = at(b) - at(a), ac = at(c) - at(a), normal = ab.cross(ac);
+  const double twiceArea = normal.norm();
+  if (!(twiceArea > 0.0)) return false;
+  const double longest = std::max({ab.norm(), ac.norm(), (ac - ab).norm()});
+  bool above = false, below = false;
+  for (const std::uint32_t v : mesh.triangles[t]) {
+    const Eigen::Vector3d from = at(v) - at(a);
+    const double height = normal.dot(from) / twiceArea;
+    // The plane turns by the rounding over the least height of u.
+    const double unsure = kRounding * (1.0 + from.norm() * longest / twiceArea);
+    above = above || height > unsure;
+    below = below || height < -unsure;
+  }
+  return above && below;
+}
+
 // Neighbours, and what touches at a vertex, also where the mesh was cut.
 bool touch(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t u) {
   for (const std::uint32_t v : mesh.triangles[t]) {
@@ -121,6 +149,25 @@ bool touch(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t u) {
     }
   }
   return false;
+}
+
+// Takes away what is no longer than the rounding, where triangles touch in a point. Pieces as short
+// that join longer ones stay: a line leads through them.
+void removeTouchingPoints(Segments& segments) {
+  const auto isPoint = [](const LineSegment& s) { return (s.a.at - s.b.at).norm() <= kRounding; };
+  std::set<LineNode> onLines;
+  for (const LineSegment& s : segments) {
+    if (!isPoint(s)) onLines.insert({s.a.node, s.b.node});
+  }
+  for (std::size_t before = 0; before != onLines.size();) {
+    before = onLines.size();
+    for (const LineSegment& s : segments) {
+      if (onLines.count(s.a.node) != 0 || onLines.count(s.b.node) != 0) {
+        onLines.insert({s.a.node, s.b.node});
+      }
+    }
+  }
+  std::erase_if(segments, [&](const LineSegment& s) { return onLines.count(s.a.node) == 0; });
 }
 
 }  // namespace
@@ -134,6 +181,8 @@ Segments findSelfIntersections(const TriangleMesh& mesh) {
   };
   BoxTree(mesh).pairs([&](std::uint32_t t, std::uint32_t u) {
     if (!boxOf(t).meets(boxOf(u)) || touch(mesh, t, u)) return;
+    // What lies in one plane, or only touches, does not pass through.
+    if (!crossesPlane(mesh, t, u) || !crossesPlane(mesh, u, t)) return;
     LineEnd ends[6];
     int count = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -143,6 +192,7 @@ Segments findSelfIntersections(const TriangleMesh& mesh) {
     // Two that are not in one plane meet in one piece or not at all.
     if (count == 2) out.push_back({ends[0], ends[1], t});
   });
+  removeTouchingPoints(out);
   return out;
 }
 

@@ -241,6 +241,59 @@ TEST(Lines, TwoSpheresCrossInACircle) {
   for (const auto& [node, count] : degree) EXPECT_EQ(count, 2) << "the circle is not closed";
 }
 
+std::vector<LineSegment> selfIntersectionsOf(const PolygonSoup& soup) {
+  const TriangleMesh mesh = buildMesh(soup).mesh;
+  SurfaceFields fields;
+  fields.resize(mesh.vertexCount());
+  return LineFinder(mesh, fields)
+      .find({}, only({LineFamily::SelfIntersections}))
+      .of(LineFamily::SelfIntersections);
+}
+
+TEST(Lines, WhatLiesInOnePlaneOrTouchesDoesNotPassThroughItself) {
+  for (const Solid& solid : standardSolids()) {
+    for (const int cells : {20, 57}) {
+      EXPECT_TRUE(selfIntersectionsOf(meshOf(solid, {.cells = cells}).soup).empty())
+          << solid.name() << ", " << cells;
+    }
+  }
+  // Planes in general position, whose float coordinates are not quite in one plane.
+  for (const double slope : {0.0, 0.3, 17.0}) {
+    constexpr std::uint32_t kCells = 40;
+    PolygonSoup plane;
+    for (std::uint32_t j = 0; j <= kCells; ++j) {
+      for (std::uint32_t i = 0; i <= kCells; ++i)
+        plane.addVertex(0.1 * i, 0.1 * j, slope * (0.1 * i + 0.057 * j));
+    }
+    for (std::uint32_t j = 0; j < kCells; ++j) {
+      for (std::uint32_t i = 0; i < kCells; ++i) {
+        const std::uint32_t a = j * (kCells + 1) + i, b = a + kCells + 1;
+        plane.addTriangle(a, a + 1, b + 1);
+        plane.addTriangle(a, b + 1, b);
+      }
+    }
+    EXPECT_TRUE(selfIntersectionsOf(plane).empty()) << slope;
+  }
+  // A triangle across another's plane, its tip `depth` past its inside; then just touching its rim.
+  const auto pierced = [](double depth, double aside) {
+    PolygonSoup two;
+    two.addVertex(-1, -1, 0);
+    two.addVertex(1, -1, 0);
+    two.addVertex(0, 1, 0);
+    two.addVertex(aside, -0.2, -depth);
+    two.addVertex(aside, -0.3, 1);
+    two.addVertex(aside, 0.3, 1);
+    two.addTriangle(0, 1, 2);
+    two.addTriangle(3, 4, 5);
+    return selfIntersectionsOf(two).size();
+  };
+  EXPECT_EQ(pierced(0.1, 0.1), 1u);
+  EXPECT_EQ(pierced(1e-4, 0.1), 1u);
+  EXPECT_EQ(pierced(1e-9, 0.1), 0u);
+  EXPECT_EQ(pierced(-1e-4, 0.1), 0u);
+  EXPECT_EQ(pierced(0.1, 0.9), 0u);
+}
+
 // The same pieces in the same order, from a finder that culls and has seen another view (it keeps
 // old numbers where clusters are passed over), and from one that computes every vertex.
 void expectCullingChangesNothing(const TriangleMesh& mesh, const SurfaceFields& fields,
