@@ -69,7 +69,8 @@ class Looker {
       : sight_(sight), projection_(projection), view_(projection.view()), outlines_(outlines) {}
 
   Seen look(const ScreenChain& line, const ScreenChain::Point& p) {
-    const SightPoint point{p.at, line.chain.triangles[p.piece], !followsTheMesh(line.chain.family)};
+    const SightPoint point{p.at, line.chain.triangles[p.piece], !followsTheMesh(line.chain.family),
+                           line.chain.family == LineFamily::Creases};
     const double px = unitsPerPx(p.at);
     ++rays_;
     if (sight_.hidden(point, view_, std::clamp(kOffsetPx * px, kLeastOffset, kLargestOffset))) {
@@ -293,6 +294,8 @@ Drawing composeNominal(const FeatureLines& found, const Sight& sight, const Proj
   const Clock chainClock;
   std::vector<SeenChain> chains;
   for (const LineFamily family : allLineFamilies()) {
+    // The outline is picked from contours and boundaries, where it is told from what is inside.
+    if (family == LineFamily::ExteriorSilhouette) continue;
     drawing.stats.segments += found.of(family).size();
     const bool all = lines.unfiltered || (strokes.ink && movesWithInk(family));
     const double threshold = all ? 0.0 : lines.threshold[indexOf(family)];

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -78,6 +79,23 @@ bool areOneFold(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
     }
   }
   return false;
+}
+
+// The triangle beyond that edge of a point's triangle which the point lies on.
+std::optional<std::uint32_t> triangleBeyond(const TriangleMesh& mesh, const SightPoint& point) {
+  std::uint32_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t h = 3 * point.triangle; h < 3 * point.triangle + 3; ++h) {
+    const Vector3d a = mesh.position(mesh.vertexOf(h)).cast<double>();
+    const Vector3d b = mesh.position(mesh.vertexOf(TriangleMesh::nextCorner(h))).cast<double>();
+    const double distance = (point.at - a).cross((b - a).stableNormalized()).norm();
+    if (distance < least) {
+      least = distance;
+      nearest = h;
+    }
+  }
+  if (!mesh.hasOpposite(nearest)) return std::nullopt;
+  return mesh.opposite[nearest] / 3;
 }
 
 // A ray with what its filter has to know.
@@ -206,7 +224,11 @@ bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offs
            : 0.0f;
   const auto far =
       static_cast<float>(view.distanceTo(origin).value_or(std::numeric_limits<double>::infinity()));
-  return state_->hits(origin, direction, kTouching, far, context);
+  if (!state_->hits(origin, direction, kTouching, far, context)) return false;
+  if (!point.onEdge) return true;
+  // Seen past a triangle that faces away, the inside of what it bounds lies in front of the edge.
+  const std::optional<std::uint32_t> beyond = triangleBeyond(*state_->mesh, point);
+  return !beyond || hidden({point.at, *beyond, point.interpolated}, view, offset);
 }
 
 bool Sight::empty(const SightPoint& point, const Vector3d& beside, const SurfaceView& view) const {

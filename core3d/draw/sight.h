@@ -18,6 +18,8 @@ struct SightPoint {
   /// The line was found by interpolation and lies on the smooth surface that the mesh stands for:
   /// where that surface does not turn away, neighbouring triangles do not hide the point.
   bool interpolated;
+  /// It lies on an edge of the triangle, and is seen if it is seen from either side of that edge.
+  bool onEdge = false;
 };
 
 /// Answers what a mesh hides, by casting rays (wald2014, Embree). A line lies on the very surface

@@ -10,9 +10,11 @@
 #include <numbers>
 #include <optional>
 
+#include "core3d/diff/estimate_fields.h"
 #include "core3d/diff/exact_fields.h"
 #include "core3d/draw/compose.h"
 #include "core3d/draw/screen_chain.h"
+#include "core3d/lines/line_finder.h"
 #include "core3d/mesh/build_mesh.h"
 #include "tests/core3d/contours.h"
 #include "tests/support/seed.h"
@@ -334,6 +336,66 @@ TEST(Sight, SphereBeforeASphereHidesPartOfItsContour) {
   outline[LineFamily::OccludingContours] = true;
   const Drawing both = composeDrawing(found, Sight(mesh, fields), projection, outline, {});
   EXPECT_NEAR(lengthOf(both, true), lengthOf(drawing, true), 0.5);
+}
+
+// Each edge belongs to one triangle, which may face away although the edge is seen.
+TEST(Sight, OnlyTheThreeFarthestCreasesOfABoxAreHidden) {
+  PolygonSoup soup;
+  addBox(soup, {0, 0, 0}, {1, 1, 1});
+  const TriangleMesh mesh = buildMesh(soup).mesh;
+  const SurfaceFields fields = estimateFields(mesh);
+  LineOptions lines;
+  lines[LineFamily::Creases] = true;
+  for (const Vector3d& towards :
+       {Vector3d(1, 0.8, 2), Vector3d(-1, 0.8, 2), Vector3d(1, -0.8, -2), Vector3d(-2, -1, 0.7)}) {
+    Camera camera;
+    camera.towards = towards;
+    const Projection projection = projectionOf(camera, mesh);
+    const StrokeOptions strokes{.hidden = true};
+    const FeatureLines found =
+        LineFinder(mesh, fields).find(projection.view(), linesToFind(lines, strokes));
+    const Drawing drawing = composeDrawing(found, Sight(mesh, fields), projection, lines, strokes);
+    const Vector3d w = towards.normalized();
+    double three = 0.0;
+    for (int k = 0; k < 3; ++k)
+      three += projection.pxPerUnit / mesh.unit * std::sqrt(1.0 - w[k] * w[k]);
+    EXPECT_NEAR(lengthOf(drawing, false), three, 3.0);
+    EXPECT_NEAR(lengthOf(drawing, true), 3.0 * three, 3.0);
+  }
+}
+
+TEST(Sight, TheOutlineIsDrawnOnceAndNeverHidden) {
+  const Solid torus{SolidKind::Torus, 1.0, 0.4};
+  const SolidMesh made = meshOf(torus, {.cells = 60});
+  const TriangleMesh mesh = buildMesh(made.soup).mesh;
+  const SurfaceFields fields = exactFields(torus, made.places, mesh);
+  Camera camera;
+  camera.towards = {std::cos(0.5), 0.0, std::sin(0.5)};
+  camera.up = Vector3d::UnitZ();
+  const Projection projection = projectionOf(camera, mesh);
+  const auto draw = [&](std::initializer_list<LineFamily> families) {
+    LineOptions lines;
+    for (const LineFamily family : families) lines[family] = true;
+    const StrokeOptions strokes{.hidden = true};
+    const FeatureLines found =
+        LineFinder(mesh, fields).find(projection.view(), linesToFind(lines, strokes));
+    return composeDrawing(found, Sight(mesh, fields), projection, lines, strokes);
+  };
+  const Drawing contours = draw({LineFamily::OccludingContours});
+  const Drawing outline = draw({LineFamily::ExteriorSilhouette});
+  const Drawing both = draw({LineFamily::ExteriorSilhouette, LineFamily::OccludingContours});
+  EXPECT_GT(lengthOf(outline, true), 500.0);
+  EXPECT_EQ(lengthOf(outline, false), 0.0);
+  // The far rim of the hole is seen before the tube's own inside.
+  EXPECT_LT(lengthOf(outline, true), lengthOf(contours, true) - 20.0);
+  EXPECT_NEAR(lengthOf(both, true), lengthOf(contours, true), 1.0);
+  double asOutline = 0.0;
+  for (const Polyline& line : both.polylines) {
+    Drawing one;
+    one.polylines = {line};
+    if (line.family == LineFamily::ExteriorSilhouette) asOutline += lengthOf(one, true);
+  }
+  EXPECT_NEAR(asOutline, lengthOf(outline, true), 1.0);
 }
 
 TEST(Sight, BackEdgesOfABoxAreHidden) {
