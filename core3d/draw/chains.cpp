@@ -32,14 +32,17 @@ struct Piece {
 
 using NodeOfLevel = std::pair<std::uint32_t, LineNode>;
 
-// Nodes at one place, as a forest that points to smaller nodes.
+// Nodes at one place, as a forest that points to smaller nodes; paths are halved as they are gone.
 class MergedNodes {
  public:
-  LineNode find(std::uint32_t level, LineNode node) const {
+  LineNode find(std::uint32_t level, LineNode node) {
     if (parent_.empty()) return node;
-    for (auto it = parent_.find({level, node}); it != parent_.end();
-         it = parent_.find({level, node})) {
-      node = it->second;
+    for (auto at = parent_.find({level, node}); at != parent_.end();) {
+      const auto above = parent_.find({level, at->second});
+      if (above == parent_.end()) return at->second;
+      at->second = above->second;
+      node = above->second;
+      at = parent_.find({level, node});
     }
     return node;
   }

@@ -14,7 +14,6 @@ constexpr double kStepPx = 6.0;        // between points where width varies
 constexpr double kTaperSteps = 8.0;    // points of a taper
 constexpr double kSmoothingPx = 8.0;   // strength is averaged over so much to either side
 constexpr double kSharpCosine = 0.5;   // bends by more than 60 degrees get cut corners
-constexpr double kStrongShare = 0.1;   // see strengthRange
 constexpr double kSamePlacePx = 1e-9;  // points nearer than that are one
 
 struct Walk {
@@ -136,28 +135,6 @@ StrokeShape shapeOf(const Polyline& line, const StrokeStyle& style, double weak,
     shape.darkness.push_back(style.leastDarkness + (1.0 - style.leastDarkness) * level);
   }
   return shape;
-}
-
-StrengthRange strengthRange(const Drawing& drawing, LineFamily family) {
-  std::vector<std::pair<double, double>> pieces;  // strength, length
-  double total = 0.0;
-  for (const Polyline& line : drawing.polylines) {
-    if (line.family != family || !line.visible) continue;
-    for (std::size_t i = 0; i + 1 < line.screen.size(); ++i) {
-      const double length = (line.screen[i + 1] - line.screen[i]).norm();
-      pieces.emplace_back((line.strength[i] + line.strength[i + 1]) / 2.0f, length);
-      total += length;
-    }
-  }
-  if (pieces.empty()) return {};
-  std::sort(pieces.begin(), pieces.end());
-  StrengthRange range{pieces.front().first, pieces.back().first};
-  double above = 0.0;
-  for (std::size_t i = pieces.size(); i-- > 0 && above <= kStrongShare * total;) {
-    range.strong = pieces[i].first;
-    above += pieces[i].second;
-  }
-  return range;
 }
 
 std::vector<std::vector<Vector2d>> outlineOf(const StrokeShape& shape) {

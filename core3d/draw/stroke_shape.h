@@ -36,13 +36,6 @@ struct StrokeShape {
 /// points.
 StrokeShape shapeOf(const Polyline& line, const StrokeStyle& style, double weak, double strong);
 
-/// The strengths between which a family's strokes of a drawing vary: the lowest, and the one that a
-/// tenth of the drawn length exceeds, so that a few extremes do not make all others thin.
-struct StrengthRange {
-  double weak = 0.0, strong = 0.0;
-};
-StrengthRange strengthRange(const Drawing& drawing, LineFamily family);
-
 /// The area of a shape as a closed polygon, px, to be filled by the nonzero rule: out along the
 /// left side and back along the right one, with mitres at mild bends and cut corners at sharp ones.
 /// A closed stroke gives two polygons, the outer side and the inner one turned round.

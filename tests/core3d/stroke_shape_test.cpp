@@ -87,17 +87,5 @@ TEST(StrokeShape, OutlineOfARingHasItsArea) {
   EXPECT_NEAR(std::abs(area), 2.0 * std::numbers::pi * 50.0 * 4.0, 10.0);
 }
 
-TEST(StrokeShape, RangeLeavesTheStrongestTenthOut) {
-  Drawing drawing;
-  for (int i = 0; i < 100; ++i) {
-    const auto s = static_cast<float>(i + 1);
-    drawing.polylines.push_back(polyline({{0, 0}, {10, 0}}, {s, s}));
-  }
-  const StrengthRange range = strengthRange(drawing, LineFamily::ApparentRidges);
-  EXPECT_EQ(range.weak, 1.0);
-  EXPECT_NEAR(range.strong, 90.0, 1.0);
-  EXPECT_EQ(strengthRange(drawing, LineFamily::Ridges).strong, 0.0);
-}
-
 }  // namespace
 }  // namespace flatland::test

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <numeric>
 #include <system_error>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "ui/cli/command_line.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
+#include "ui/cli/suggestion.h"
 
 namespace {
 
@@ -23,22 +23,6 @@ int report(std::string message, ExitCode code) {
   return code;
 }
 
-/// By how many inserted, left out or changed letters two words differ.
-std::size_t editsBetween(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, changed});
-    }
-  }
-  return row.back();
-}
-
 /// What a first word that is nearly a subcommand was meant to be, as an end of the message; empty
 /// if there is none, or the word names a file.
 std::string likelyMeaning(const CLI::App& app, int argc, char** argv) {
@@ -50,7 +34,7 @@ std::string likelyMeaning(const CLI::App& app, int argc, char** argv) {
   std::string nearest;
   std::size_t least = kMostEdits + 1;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    const std::size_t edits = editsBetween(word, command->get_name());
+    const std::size_t edits = changesBetween(word, command->get_name());
     if (edits < least) least = edits, nearest = command->get_name();
   }
   return nearest.empty() || least == 0 ? "" : "; did you mean '" + nearest + "'?";

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace flatland::ui {
 
-namespace {
-
-/// Levenshtein's distance: letters put in, taken out or exchanged.
 std::size_t changesBetween(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -22,8 +20,6 @@ std::size_t changesBetween(const std::string& a, const std::string& b) {
   }
   return row.back();
 }
-
-}  // namespace
 
 std::string nearestName(const std::string& word, const std::vector<std::string>& names) {
   constexpr std::size_t kMostChanges = 3;

@@ -7,6 +7,9 @@
 
 namespace flatland::ui {
 
+/// Levenshtein's distance: letters put in, taken out or exchanged.
+std::size_t changesBetween(const std::string& a, const std::string& b);
+
 /// The name that is nearest to a mistyped word; empty if none is near (three changes at most, and
 /// at most half of its letters).
 std::string nearestName(const std::string& word, const std::vector<std::string>& names);
