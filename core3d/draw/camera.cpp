@@ -118,6 +118,10 @@ void fitPerspective(const Camera& camera, double tangent, const TriangleMesh& me
 
 }  // namespace
 
+bool looksAlongUp(const Camera& camera) {
+  return !(camera.up.stableNormalized().cross(camera.towards.stableNormalized()).norm() > kAlong);
+}
+
 SurfaceView Projection::view() const {
   SurfaceView view;
   view.towards = axes.row(2);

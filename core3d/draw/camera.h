@@ -26,6 +26,9 @@ struct Camera {
   double margin = 20.0;                  ///< px kept free when fitting
 };
 
+/// True if `up` is along the line of sight, so that it says nothing.
+bool looksAlongUp(const Camera& camera);
+
 /// A camera set before a mesh: from points of the mesh to px of the picture (x right, y down).
 struct Projection {
   Eigen::Matrix3d

@@ -131,6 +131,12 @@ class Strokes {
     return lines_.unfiltered ? 0.0 : lines_.threshold[indexOf(family)];
   }
 
+  // See Drawing::weak.
+  double weak(LineFamily family, double factor) const {
+    const double given = lines_.threshold[indexOf(family)];
+    return movesWithInk(family) ? given * std::max(factor, kLeastUnit) : given;
+  }
+
   std::vector<StrokePart> parts(double factor) const {
     std::vector<StrokePart> all;
     for (std::size_t i = 0; i < chains_.size(); ++i) {
@@ -144,7 +150,7 @@ class Strokes {
       }
       if (movesWithInk(family)) {
         filter.minWeightPx = options_.minWeightPx;
-        filter.unitStrength = given * std::max(factor, kLeastUnit);
+        filter.unitStrength = lines_.unfiltered ? 0.0 : weak(family, factor);
       }
       for (const StrokePart& part : strokeParts(chains_[i], i, filter, options_.hysteresis)) {
         if (isDrawn(family, part.seen)) all.push_back(part);
@@ -180,13 +186,11 @@ class InkSolver {
   // The factor whose ink is nearest to `asked`. Ink never grows with the factor, so the interval
   // that holds the answer is halved.
   double solve(double asked) {
-    const double most = factorWithoutThresholdedLines();
-    if (most == 0.0) return 1.0;  // nothing has a threshold
-    const double least = most * kSmallestFactor;
-    if (inkOf(0.0) <= asked) return 0.0;
-    if (inkOf(most) >= asked) return most;
-    double low = least, high = most, best = most;
-    double miss = std::numeric_limits<double>::infinity();
+    // Below the first no factor draws more than 0 does, but for points without strength; above the
+    // second no line with a threshold is left.
+    auto [low, high] = factors();
+    if (high == 0.0) return 1.0;  // nothing has a threshold
+    double best = 0.0, miss = std::numeric_limits<double>::infinity();
     const auto consider = [&](double factor) {
       const double ink = inkOf(factor);
       if (std::abs(ink - asked) < miss) {
@@ -195,31 +199,36 @@ class InkSolver {
       }
       return ink;
     };
-    consider(0.0);
-    consider(most);
+    if (consider(0.0) <= asked) return 0.0;
+    if (consider(high) >= asked) return high;
     while (high / low > 1.0 + kFactorPrecision && miss > kCloseEnough * asked &&
            !options_.stop.stop_requested()) {
-      const double middle = std::sqrt(low * high);
+      const double middle = std::sqrt(low) * std::sqrt(high);
       (consider(middle) > asked ? low : high) = middle;
     }
     return best;
   }
 
  private:
-  // Strengths span a few powers of ten; below this share of the strongest all is noise.
-  static constexpr double kSmallestFactor = 1e-9;
   static constexpr double kFactorPrecision = 1e-7;
   static constexpr double kCloseEnough = 1e-3;  // a tenth of kInkTolerance
 
-  double factorWithoutThresholdedLines() const {
-    double most = 0.0;
+  // The smallest and the largest strength, as shares of their thresholds; both 0 if no line has a
+  // threshold. Near silhouettes strengths have no bound, so neither says anything about the other.
+  std::pair<double, double> factors() const {
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
     for (const SeenChain& chain : chains_) {
       const double threshold = strokes_.threshold(chain.line.chain.family);
       if (!(threshold > 0.0) || !movesWithInk(chain.line.chain.family)) continue;
-      const auto& s = chain.line.judged;
-      most = std::max(most, static_cast<double>(*std::max_element(s.begin(), s.end())) / threshold);
+      for (const float strength : chain.line.judged) {
+        const double share = static_cast<double>(strength) / threshold;
+        if (!(share > 0.0) || !std::isfinite(share)) continue;
+        least = std::min(least, share);
+        most = std::max(most, share);
+      }
     }
-    return most * (1.0 + kFactorPrecision);
+    if (most == 0.0) return {0.0, 0.0};
+    return {least, most * (1.0 + kFactorPrecision)};
   }
 
   double inkOf(double factor) {
@@ -328,6 +337,9 @@ Drawing composeNominal(const FeatureLines& found, const Sight& sight, const Proj
     drawing.stats.thresholdFactor = InkSolver(chains, all, projection, strokes).solve(*strokes.ink);
   }
   if (stopped()) return drawing;
+  for (const LineFamily family : allLineFamilies()) {
+    drawing.weak[indexOf(family)] = all.weak(family, drawing.stats.thresholdFactor);
+  }
   for (const StrokePart& part : all.parts(drawing.stats.thresholdFactor)) {
     Polyline line = polylineOf(chains[part.chain], part, projection, strokes.tolerancePx);
     if (line.points.size() < 2) continue;

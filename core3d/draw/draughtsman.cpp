@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core3d/draw/draughtsman.h"
 
+#include <chrono>
 #include <optional>
 
 #include "core3d/draw/compose.h"
@@ -9,11 +10,28 @@
 
 namespace flatland {
 
+namespace {
+
+// What `make` makes, and the milliseconds that it takes.
+template <typename Make>
+auto timed(double& ms, const Make& make) {
+  const auto start = std::chrono::steady_clock::now();
+  auto made = make();
+  ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return made;
+}
+
+}  // namespace
+
 struct Draughtsman::State {
-  State(const TriangleMesh& m, const SurfaceFields& f) : mesh(&m), fields(&f), finder(m, f) {}
+  State(const TriangleMesh& m, const SurfaceFields& f)
+      : mesh(&m),
+        fields(&f),
+        finder(timed(preparation.linesMs, [&] { return LineFinder(m, f); })) {}
 
   const TriangleMesh* mesh;
   const SurfaceFields* fields;
+  Preparation preparation;
   LineFinder finder;
   std::optional<Sight> sight;  // from the first drawing on
 };
@@ -24,13 +42,18 @@ Draughtsman::~Draughtsman() = default;
 Draughtsman::Draughtsman(Draughtsman&&) noexcept = default;
 Draughtsman& Draughtsman::operator=(Draughtsman&&) noexcept = default;
 
+const Draughtsman::Preparation& Draughtsman::preparation() const { return state_->preparation; }
+
 Drawing Draughtsman::draw(const Projection& projection, const LineOptions& lines,
                           const StrokeOptions& strokes) {
   Drawing stopped;
   stopped.projection = projection;
   const FeatureLines found = state_->finder.find(projection.view(), linesToFind(lines, strokes));
   if (strokes.stop.stop_requested()) return stopped;
-  if (!state_->sight) state_->sight.emplace(*state_->mesh, *state_->fields);
+  if (!state_->sight) {
+    state_->sight =
+        timed(state_->preparation.raysMs, [this] { return Sight(*state_->mesh, *state_->fields); });
+  }
   Drawing drawing = composeDrawing(found, *state_->sight, projection, lines, strokes);
   const LineFinder::Times& times = state_->finder.times();
   drawing.stats.vertexMs = times.vertexMs;

@@ -21,6 +21,13 @@ class Draughtsman {
   Drawing draw(const Projection& projection, const LineOptions& lines,
                const StrokeOptions& strokes);
 
+  /// What was prepared once for all drawings, wall clock.
+  struct Preparation {
+    double linesMs = 0.0;  ///< what a LineFinder keeps
+    double raysMs = 0.0;   ///< the structure for rays; 0 before the first drawing
+  };
+  const Preparation& preparation() const;
+
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -75,6 +76,9 @@ struct Drawing {
   /// one is not repeated among contours and boundaries.
   std::vector<Polyline> polylines;
   Projection projection;
+  /// Of each family, the strength that counts as weak: the threshold that was used, but 0.3 of the
+  /// given one if ink made it less. 0 for families without a threshold.
+  std::array<double, kLineFamilyCount> weak{};
   DrawingStats stats;
 };
 

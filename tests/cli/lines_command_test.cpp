@@ -289,6 +289,53 @@ TEST(LinesCommand, TurntableNumbersItsFilesAndKeepsTheSize) {
   EXPECT_NEAR(thirdWidth, frontWidth, 0.5);
 }
 
+TEST(LinesCommand, TurntableAboutTheUsualViewLooksAcrossIt) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run({"lines", "solid:ellipsoid:20", "-o", "e.json", "--up", "0,0,1",
+                                    "--turntable", "4", "--lines", "contours"},
+                                   folder.path());
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const auto width = [&](const char* name) {
+    double most = 0.0;
+    const json drawing = json::parse(contentsOf(folder.path() / name));
+    for (const json& line : drawing["polylines"]) {
+      for (const json& s : line["screen"]) {
+        most = std::max(most, std::abs(s[0].get<double>() - 400.0));
+      }
+    }
+    return most;
+  };
+  // Half axes 1 and 0.8 across z: from -y the first is seen, a quarter on the second.
+  EXPECT_NEAR(width("e-1.json") / width("e-2.json"), 1.0 / 0.8, 0.01);
+  // So is a single picture.
+  ASSERT_EQ(
+      run({"lines", "solid:ellipsoid:20", "-o", "s.json", "--up", "0,0,1"}, folder.path()).exitCode,
+      0);
+  ASSERT_EQ(
+      run({"lines", "solid:ellipsoid:20", "-o", "y.json", "--up", "0,0,1", "--view", "0,-1,0"},
+          folder.path())
+          .exitCode,
+      0);
+  EXPECT_EQ(contentsOf(folder.path() / "s.json"), contentsOf(folder.path() / "y.json"));
+}
+
+TEST(LinesCommand, PicturesTellWhatShapedThem) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run({"lines", kTorus, "-o", "t.svg", "--lines", "apparent-ridges,isophotes", "--threshold",
+           "apparent-ridges=0", "--isophotes", "7", "--hidden", "dash", "--style", "taper",
+           "--min-length", "9", "--unfiltered"},
+          folder.path());
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  std::string svg = contentsOf(folder.path() / "t.svg");
+  for (std::size_t at; (at = svg.find("&quot;")) != std::string::npos;) svg.replace(at, 6, "\"");
+  for (const char* part : {R"("apparent-ridges": 0.0)", R"("isophotes": 7)", R"("hidden": "dash")",
+                           R"("style": "taper")", R"("minLength": 9.0)", R"("unfiltered": true)",
+                           R"("fit": "outline")"}) {
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  }
+}
+
 TEST(LinesCommand, CamerasGiveTheirNamesToTheFiles) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "cameras.json")
@@ -310,7 +357,8 @@ TEST(LinesCommand, ZoomCostsNoMoreThanThePicture) {
                                     "near.json", "--hidden", "show"},
                                    folder.path());
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  for (const json& line : json::parse(contentsOf(folder.path() / "t-1.json"))["polylines"]) {
+  const json drawing = json::parse(contentsOf(folder.path() / "t-1.json"));
+  for (const json& line : drawing["polylines"]) {
     for (const json& s : line["screen"]) {
       EXPECT_NEAR(s[0].get<double>(), 400.0, 901.0);
       EXPECT_NEAR(s[1].get<double>(), 300.0, 801.0);
@@ -333,6 +381,13 @@ TEST(LinesCommand, StatsTellTheStages) {
   for (const char* key : {"segments", "polylines", "ink", "share", "thresholdFactor"}) {
     EXPECT_TRUE(view[key].is_number()) << key;
   }
+  EXPECT_EQ(view["inkReached"], true);
+  double prepared = 0.0;
+  for (const char* part : {"read", "fields", "lines", "rays"}) {
+    EXPECT_GT(stats["precomputeMs"][part], 0.0) << part;
+    prepared += stats["precomputeMs"][part].get<double>();
+  }
+  EXPECT_NEAR(stats["precomputeMs"]["total"].get<double>(), prepared, 0.01);
   double sum = 0.0;
   for (const char* stage : {"vertex", "segment", "chain", "visibility", "stroke"}) {
     sum += view["ms"][stage].get<double>();
@@ -346,6 +401,8 @@ TEST(LinesCommand, BadInputIsTold) {
   std::ofstream(folder.path() / "cameras.json")
       << R"({"flatland": 1, "cameras": [{"veiw": [1, 0, 0]}]})";
   std::ofstream(folder.path() / "zoom.json") << R"({"flatland": 1, "cameras": [{"zoom": 1e9}]})";
+  std::ofstream(folder.path() / "twice.json")
+      << R"({"flatland": 1, "cameras": [{"name": "2"}, {}]})";
   struct Case {
     std::vector<std::string> arguments;
     const char* message;
@@ -361,6 +418,8 @@ TEST(LinesCommand, BadInputIsTold) {
        "cameras.json: cameras[0]: unknown key \"veiw\""},
       {{"lines", kTorus, "-o", "a.svg", "--cameras", "zoom.json"},
        "zoom.json: cameras[0].zoom: expected a zoom above 0, at most 1000, found 1e+09"},
+      {{"lines", kTorus, "-o", "a.svg", "--cameras", "twice.json"},
+       "twice.json: cameras[1]: its picture would be a-2.svg, as that of cameras[0]"},
       {{"fields", "none.obj", "-o", "a.ply"}, "none.obj"},
   };
   for (const Case& bad : cases) {
@@ -392,6 +451,8 @@ TEST(LinesCommand, BadUsageIsToldWithTheValidNames) {
       {{"lines", kTorus, "-o", "a.svg", "--ink", "2"}, "--ink"},
       {{"lines", kTorus, "-o", "a.svg", "--perspective", "180"}, "--perspective"},
       {{"lines", kTorus, "-o", "a.svg", "--turntable", "4", "--cameras", "c.json"}, "exclude"},
+      {{"lines", kTorus, "-o", "a.svg", "--view", "0,2,0", "--turntable", "4"}, "--view is along"},
+      {{"lines", kTorus, "-o", "a.svg", "--estimator", "one-ring", "--scale", "11"}, "10 at most"},
       {{"fields", kTorus, "-o", "a.svg"}, ".ply or .csv"},
       {{"convergence", "sine-shet"}, "did you mean sine-sheet? There are sine-sheet, gaussian"},
       {{"convergence", "sine-sheet", "--cells", "2"}, "--cells"},

@@ -556,6 +556,33 @@ TEST(Ink, IsMetByOneFactorOnTheThresholds) {
   }
 }
 
+TEST(Ink, OneStrongPointDoesNotMatter) {
+  Sheet sheet;
+  const Drawing before = sheet.draw({.minWeightPx = 0.0, .ink = 0.02});
+  sheet.found.of(LineFamily::ApparentRidges).front().a.strength = 1e30f;
+  const Drawing after = sheet.draw({.minWeightPx = 0.0, .ink = 0.02});
+  EXPECT_TRUE(after.stats.inkReached);
+  EXPECT_NEAR(after.stats.thresholdFactor, before.stats.thresholdFactor,
+              0.1 * before.stats.thresholdFactor);
+}
+
+TEST(Ink, TellsWhatCountsAsWeak) {
+  const Sheet sheet;
+  const auto weak = [&sheet](LineFamily family, std::optional<double> ink) {
+    const Drawing drawing = sheet.draw({.minWeightPx = 0.0, .ink = ink});
+    const auto i = static_cast<std::size_t>(family);
+    return std::pair(drawing.weak[i] / sheet.lines.threshold[i], drawing.stats.thresholdFactor);
+  };
+  for (const LineFamily family : {LineFamily::ApparentRidges, LineFamily::Creases}) {
+    EXPECT_DOUBLE_EQ(weak(family, std::nullopt).first, 1.0);
+  }
+  const auto [share, factor] = weak(LineFamily::Ridges, 0.005);
+  EXPECT_GT(factor, 0.3);
+  EXPECT_DOUBLE_EQ(share, factor);
+  EXPECT_DOUBLE_EQ(weak(LineFamily::Ridges, 0.5).first, 0.3);  // all lines: the factor is 0
+  EXPECT_DOUBLE_EQ(weak(LineFamily::Creases, 0.005).first, 1.0);
+}
+
 TEST(Ink, SaysWhenItCannotBeMet) {
   const Sheet sheet;
   const Drawing all = sheet.draw({.minWeightPx = 0.0, .largestGapPx = 0.0, .ink = 0.5});

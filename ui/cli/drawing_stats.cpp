@@ -24,7 +24,8 @@ std::string counts(const DrawingStats& stats, std::size_t polylines) {
   return "\"segments\": " + std::to_string(stats.segments) +
          ", \"polylines\": " + std::to_string(polylines) + ", \"ink\": " + share(stats.ink) +
          ", \"share\": " + share(stats.share) +
-         ", \"thresholdFactor\": " + numberText(stats.thresholdFactor, "null");
+         ", \"thresholdFactor\": " + numberText(stats.thresholdFactor, "null") +
+         ", \"inkReached\": " + (stats.inkReached ? "true" : "false");
 }
 
 double peakMegabytes() {
@@ -42,17 +43,20 @@ std::string statsOfDrawing(const Drawing& drawing, const TriangleMesh& mesh) {
 }
 
 std::string statsOfRun(const std::string& mesh, const PreparedMesh& prepared,
+                       const Draughtsman::Preparation& drawer,
                        const std::vector<PictureStats>& pictures) {
   const TriangleMesh& built = prepared.built.mesh;
-  std::string text = "{\n  \"mesh\": " +
-                     nlohmann::json(nameOfMesh(mesh))
-                         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
-                     ",\n  \"triangles\": " + std::to_string(built.triangleCount()) +
-                     ",\n  \"vertices\": " + std::to_string(built.vertexCount()) +
-                     ",\n  \"precomputeMs\": {\"read\": " + ms(prepared.readMs) +
-                     ", \"fields\": " + ms(prepared.fieldsMs) +
-                     ", \"total\": " + ms(prepared.readMs + prepared.fieldsMs) +
-                     "},\n  \"views\": [";
+  std::string text =
+      "{\n  \"mesh\": " +
+      nlohmann::json(nameOfMesh(mesh))
+          .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
+      ",\n  \"triangles\": " + std::to_string(built.triangleCount()) +
+      ",\n  \"vertices\": " + std::to_string(built.vertexCount()) +
+      ",\n  \"precomputeMs\": {\"read\": " + ms(prepared.readMs) +
+      ", \"fields\": " + ms(prepared.fieldsMs) + ", \"lines\": " + ms(drawer.linesMs) +
+      ", \"rays\": " + ms(drawer.raysMs) +
+      ", \"total\": " + ms(prepared.readMs + prepared.fieldsMs + drawer.linesMs + drawer.raysMs) +
+      "},\n  \"views\": [";
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const PictureStats& picture = pictures[i];
     const DrawingStats& d = picture.drawing;

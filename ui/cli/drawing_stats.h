@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core3d/draw/drawing.h"
+#include "core3d/draw/draughtsman.h"
 #include "ui/cli/mesh_options.h"
 
 namespace flatland::ui {
@@ -23,6 +23,7 @@ std::string statsOfDrawing(const Drawing& drawing, const TriangleMesh& mesh);
 /// For --stats: the mesh, milliseconds by stage, every picture, and the most memory the program has
 /// used. Keys in docs/user/lines.md.
 std::string statsOfRun(const std::string& mesh, const PreparedMesh& prepared,
+                       const Draughtsman::Preparation& drawer,
                        const std::vector<PictureStats>& pictures);
 
 }  // namespace flatland::ui

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -13,6 +14,7 @@
 #include "core3d/io/drawing_json.h"
 #include "core3d/io/named_mesh.h"
 #include "flatland/io/atomic_file.h"
+#include "flatland/io/input_error.h"
 #include "ui/cli/drawing_stats.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
@@ -37,8 +39,30 @@ struct Options {
   std::optional<double> width, minLength;  ///< px, if asked for
   double dpi = 96.0;
   int turntable = 0;
+  bool viewGiven = false;
   bool stats = false;
 };
+
+template <typename Value>
+using Words = std::vector<std::pair<std::string, Value>>;
+
+const Words<DrawingFigureOptions::Hidden> kHiddenWords = {
+    {"remove", DrawingFigureOptions::Hidden::Remove},
+    {"dash", DrawingFigureOptions::Hidden::Dash},
+    {"show", DrawingFigureOptions::Hidden::Show}};
+const Words<DrawingFigureOptions::Style> kStyleWords = {
+    {"plain", DrawingFigureOptions::Style::Plain},
+    {"width", DrawingFigureOptions::Style::Width},
+    {"taper", DrawingFigureOptions::Style::Taper},
+    {"fade", DrawingFigureOptions::Style::Fade}};
+
+template <typename Value>
+std::string wordOf(Value value, const Words<Value>& words) {
+  for (const auto& [word, meaning] : words) {
+    if (meaning == value) return word;
+  }
+  return {};
+}
 
 bool isJson(const std::string& file) { return extensionOf(file) == ".json"; }
 
@@ -51,6 +75,7 @@ std::string whyNotOutput(const std::string& file) {
 struct View {
   Camera camera;
   std::string file;
+  bool fitBall = true;  ///< several views show the mesh at one size
 };
 
 /// "a.svg" and "front" to "a-front.svg".
@@ -69,16 +94,24 @@ std::string numbered(std::size_t number, std::size_t count) {
 std::vector<View> viewsOf(const Options& options) {
   if (!options.cameras.empty()) {
     std::vector<View> views;
+    std::map<std::string, std::size_t> cameraOf;  // by the picture's file
     const std::vector<NamedCamera> cameras = loadCameras(options.cameras, options.camera);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       const std::string& name = cameras[i].name;
       views.push_back(
           {cameras[i].camera,
            withPart(options.output, name.empty() ? numbered(i + 1, cameras.size()) : name)});
+      const auto [other, isNew] = cameraOf.try_emplace(views.back().file, i);
+      if (!isNew) {
+        throw InputError(options.cameras, "cameras[" + std::to_string(i) + "]",
+                         "its picture would be " + views.back().file + ", as that of cameras[" +
+                             std::to_string(other->second) + "]; give it another name");
+      }
     }
+    if (views.size() == 1) views.front().fitBall = false;
     return views;
   }
-  if (options.turntable == 0) return {{options.camera, options.output}};
+  if (options.turntable == 0) return {{options.camera, options.output, false}};
   std::vector<View> views;
   const auto count = static_cast<std::size_t>(options.turntable);
   for (std::size_t i = 0; i < count; ++i) {
@@ -102,12 +135,29 @@ std::string recordOf(const Options& options, const View& view) {
               {"derivative", nameOf(options.lines.derivative)},
               {"lines", json::array()},
               {"thresholds", json::object()},
-              {"ink", nullptr}};
+              {"ink", nullptr},
+              {"unfiltered", options.lines.unfiltered},
+              {"minLength",
+               options.strokes.minLengthPx * pictureScale(options.size.width, options.size.height)},
+              {"simplify", options.strokes.tolerancePx},
+              {"fit", view.fitBall ? "ball" : "outline"},
+              {"hidden", wordOf(options.figure.hidden, kHiddenWords)},
+              {"style", wordOf(options.figure.style, kStyleWords)},
+              {"width", options.figure.widthPx},
+              {"colours", options.figure.colours},
+              {"dark", options.figure.palette == Palette::Dark},
+              {"transparent", options.figure.transparent}};
   for (const LineFamily family : allLineFamilies()) {
     if (!options.lines[family]) continue;
     record["lines"].push_back(nameOf(family));
     const double threshold = options.lines.threshold[static_cast<std::size_t>(family)];
-    if (threshold > 0.0) record["thresholds"][std::string(nameOf(family))] = threshold;
+    record["thresholds"][std::string(nameOf(family))] = threshold;
+    if (family == LineFamily::Isophotes) record["isophotes"] = options.lines.isophoteLevels;
+    if (family == LineFamily::Topographic) {
+      const Eigen::Vector3d& up = options.lines.topographicUp;
+      record["topographic"] = options.lines.topographicLevels;
+      record["topographicUp"] = {up.x(), up.y(), up.z()};
+    }
   }
   if (options.strokes.ink) record["ink"] = *options.strokes.ink;
   return record.dump(1, ' ', false, json::error_handler_t::replace);
@@ -120,9 +170,7 @@ void write(const Options& options, const View& view, const Drawing& drawing,
     return;
   }
   DrawingFigureOptions figure = options.figure;
-  for (std::size_t i = 0; i < kLineFamilyCount; ++i) {
-    figure.threshold[i] = options.lines.threshold[i] * drawing.stats.thresholdFactor;
-  }
+  figure.threshold = drawing.weak;
   writePicture(view.file, drawingFigure(drawing, figure),
                {.title = "Flatland: " + nameOfMesh(options.mesh),
                 .program = "flatland " FLATLAND_VERSION,
@@ -138,6 +186,15 @@ int run(const Options& given) {
     throw UsageError("--turntable and --cameras exclude each other");
   }
   requireQtFor(options.output);
+  if (looksAlongUp(options.camera)) {
+    if (!options.viewGiven) {
+      // The usual view z with the usual up y, turned until y is this up.
+      options.camera.towards = {0.0, options.camera.up.z() > 0.0 ? -1.0 : 1.0, 0.0};
+    } else if (options.turntable > 0) {
+      throw UsageError(
+          "--turntable turns the view about --up, but --view is along it; choose another");
+    }
+  }
   options.camera.width = options.size.width;
   options.camera.height = options.size.height;
   options.strokes.hidden = options.figure.hidden != DrawingFigureOptions::Hidden::Remove;
@@ -156,8 +213,7 @@ int run(const Options& given) {
   Progress progress;
   bool inkReached = true;
   for (const View& view : views) {
-    // Several views show the mesh at one size: fitted by its ball.
-    const Projection projection = projectionOf(view.camera, mesh, views.size() > 1);
+    const Projection projection = projectionOf(view.camera, mesh, view.fitBall);
     const Drawing drawing = draughtsman.draw(projection, options.lines, options.strokes);
     inkReached = inkReached && drawing.stats.inkReached;
     const auto start = std::chrono::steady_clock::now();
@@ -173,14 +229,15 @@ int run(const Options& given) {
         "gets\n",
         stderr);
   }
-  if (options.stats) writeToStandardOutput(statsOfRun(options.mesh, prepared, pictures));
+  if (options.stats)
+    writeToStandardOutput(statsOfRun(options.mesh, prepared, draughtsman.preparation(), pictures));
   return kDone;
 }
 
 /// An option with one of a few words, each for a value.
 template <typename Value>
 void addChoice(CLI::App& command, const std::string& name, Value& value,
-               const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
+               const Words<Value>& choices, const std::string& help) {
   std::vector<std::string> words;
   for (const auto& choice : choices) words.push_back(choice.first);
   command
@@ -233,18 +290,11 @@ void addStrokes(CLI::App& command, Options& options) {
 }
 
 void addStyle(CLI::App& command, Options& options) {
-  using Hidden = DrawingFigureOptions::Hidden;
-  using Style = DrawingFigureOptions::Style;
-  addChoice<Hidden>(command, "--hidden", options.figure.hidden,
-                    {{"remove", Hidden::Remove}, {"dash", Hidden::Dash}, {"show", Hidden::Show}},
-                    "Lines behind the mesh: remove, dash or show [remove]");
-  addChoice<Style>(command, "--style", options.figure.style,
-                   {{"plain", Style::Plain},
-                    {"width", Style::Width},
-                    {"taper", Style::Taper},
-                    {"fade", Style::Fade}},
-                   "What a line's strength does: plain, nothing; width or fade of each stroke;\n"
-                   "taper, width along the stroke with pointed ends [plain]");
+  addChoice(command, "--hidden", options.figure.hidden, kHiddenWords,
+            "Lines behind the mesh: remove, dash or show [remove]");
+  addChoice(command, "--style", options.figure.style, kStyleWords,
+            "What a line's strength does: plain, nothing; width or fade of each stroke;\n"
+            "taper, width along the stroke with pointed ends [plain]");
   command
       .add_option_function<double>(
           "--width", [&options](const double& px) { options.width = px; },
@@ -292,7 +342,10 @@ void addLinesCommand(CLI::App& app, Action& action, const std::string& commandLi
       "  flatland lines hand.obj -o hand.pdf --ink 0.04 --style taper\n"
       "  flatland lines solid:torus -o torus.json --lines contours --hidden dash\n"
       "  flatland lines boot.obj -o boot.svg --turntable 36 --perspective 30\n");
-  command.final_callback([options, &action] { action = [options] { return run(*options); }; });
+  command.final_callback([options, &command, &action] {
+    options->viewGiven = command.count("--view") > 0;
+    action = [options] { return run(*options); };
+  });
 }
 
 }  // namespace flatland::ui

@@ -14,6 +14,8 @@ namespace flatland::ui {
 
 namespace {
 
+// One-ring smooths scale^2 - 1 times: 99 passes.
+constexpr double kMostOneRingScale = 10.0;
 constexpr std::size_t kHelpColumn = 80;  // letters in a line of help
 
 std::optional<double> numberFrom(std::string_view text) {
@@ -90,7 +92,8 @@ void addMesh(CLI::App& command, std::string& mesh) {
 }
 
 void addCamera(CLI::App& command, Camera& camera) {
-  addDirection(command, "--view", camera.towards, "From the mesh towards the viewer [0,0,1]");
+  addDirection(command, "--view", camera.towards,
+               "From the mesh towards the viewer [0,0,1; across --up if that is along it]");
   addDirection(command, "--up", camera.up, "What appears upward [0,1,0]");
   command
       .add_option_function<double>(
@@ -113,10 +116,12 @@ void addFields(CLI::App& command, FieldOptions& fields) {
   command
       .add_option("--scale", fields.scale,
                   "Widens the neighbourhoods that curvature is found on: smooths noise, and\n"
-                  "features of that width with it [1]")
+                  "features of that width with it [1]; one-ring takes 10 at most")
       ->type_name("R")
       ->check(CLI::Range(1.0, 100.0).description(""));
-  command.add_option("--threads", fields.threads, "Threads [all cores]")
+  command
+      .add_option("--threads", fields.threads,
+                  "Threads that estimate curvature [all cores]; drawing takes all")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
 }
@@ -188,6 +193,10 @@ void setUsualLines(LineOptions& lines) {
 }
 
 PreparedMesh preparedMesh(const std::string& mesh, const FieldOptions& fields) {
+  if (fields.estimator == FieldEstimator::OneRing && fields.scale > kMostOneRingScale) {
+    throw UsageError("--scale: " + numberText(fields.scale) +
+                     " is too large for --estimator one-ring; 10 at most");
+  }
   PreparedMesh prepared;
   const auto start = std::chrono::steady_clock::now();
   prepared.built = loadNamedMesh(mesh);

@@ -44,7 +44,7 @@ struct PreparedMesh {
 };
 
 /// Reads the mesh and estimates its fields, with progress. What was mended is told on standard
-/// error, in one line. Throws InputError.
+/// error, in one line. Throws InputError; UsageError for a scale that one-ring cannot take.
 PreparedMesh preparedMesh(const std::string& mesh, const FieldOptions& fields);
 
 /// The command line without the folders of files that were given by absolute paths: what a picture
