@@ -2,6 +2,7 @@
 #include "core3d/io/convergence_text.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "flatland/io/number_text.h"
@@ -9,6 +10,14 @@
 namespace flatland {
 
 namespace {
+
+// "-" for what does not exist.
+std::string cell(const char* format, double value, bool exists) {
+  if (!exists || !std::isfinite(value)) return "-";
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
 
 std::string inQuotes(std::string_view name) { return "\"" + std::string(name) + "\""; }
 
@@ -29,10 +38,12 @@ std::string convergenceTable(const std::vector<ConvergenceSeries>& all) {
   for (const ConvergenceSeries& series : all) {
     const std::string estimator(nameOf(series.estimator)), derivative(nameOf(series.derivative));
     for (const ConvergenceRow& row : series.rows) {
-      std::snprintf(line.data(), line.size(),
-                    "%-9s %-11s %7d %9.4g %7zu %12.4g %9.4g %7.4f %7.4f\n", estimator.c_str(),
-                    derivative.c_str(), row.cells, row.edge, row.pieces, row.medianEdges,
-                    row.percentile95Edges, row.strayShare, row.missedShare);
+      const bool found = row.pieces > 0;
+      std::snprintf(line.data(), line.size(), "%-9s %-11s %7d %9.4g %7zu %12s %9s %7s %7.4f\n",
+                    estimator.c_str(), derivative.c_str(), row.cells, row.edge, row.pieces,
+                    cell("%.4g", row.medianEdges, found).c_str(),
+                    cell("%.4g", row.percentile95Edges, found).c_str(),
+                    cell("%.4f", row.strayShare, found).c_str(), row.missedShare);
       table += line.data();
     }
     if (series.order) {

@@ -102,6 +102,7 @@ std::vector<ConvergenceSeries> measureConvergence(const ConvergenceOptions& opti
   for (ConvergenceSeries& series : all) {
     std::vector<double> edges, distances;
     for (const ConvergenceRow& row : series.rows) {
+      if (std::max(row.strayShare, row.missedShare) > kLargestStrayShare) continue;
       edges.push_back(row.edge);
       distances.push_back(row.medianEdges * row.edge);
     }

@@ -13,6 +13,10 @@
 
 namespace flatland {
 
+/// Where more of the length found is stray, or more of the known ridges is missed, the median
+/// distance is not that of an approximated ridge, and the row takes no part in the order.
+inline constexpr double kLargestStrayShare = 0.1;
+
 /// What is measured: apparent ridges of meshes against those that are known, for each estimator and
 /// each way to the derivative, over resolutions.
 struct ConvergenceOptions {
@@ -20,9 +24,8 @@ struct ConvergenceOptions {
   std::vector<int> cells = {50, 100, 200};  ///< of KnownMeshing, each >= 3
   bool irregular = true;
   std::uint64_t seed = 1;  ///< of the mesh's moves and the random curve
-  double threshold =
-      LineOptions::defaultThresholds()[static_cast<std::size_t>(LineFamily::ApparentRidges)];
-  int threads = 0;                            ///< of the estimators; 0: all cores
+  double threshold = 0.0;  ///< strength that is asked of a line; 0 leaves out no weak ridge
+  int threads = 0;         ///< of the estimators; 0: all cores
   std::function<void(double)> progress = {};  ///< called with the share done
   std::stop_token stop = {};
 };
@@ -43,8 +46,9 @@ struct ConvergenceSeries {
   FieldEstimator estimator;
   RidgeDerivative derivative;
   std::vector<ConvergenceRow> rows;  ///< one for each of ConvergenceOptions::cells
-  /// Slope of log(median distance) against log(edge), distance as a length: 1 for an error that
-  /// stays the same in edges, 2 for second order. Empty with less than two rows with a distance.
+  /// Slope over the rows in which at most kLargestStrayShare is stray or missed: of log(median
+  /// distance) against log(edge), distance as a length: 1 for an error that stays the same in
+  /// edges, 2 for second order. Empty with less than two such rows.
   std::optional<double> order;
 };
 

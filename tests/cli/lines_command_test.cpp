@@ -570,6 +570,31 @@ TEST(ConvergenceCommand, PrintsATableAndWritesTheDiagram) {
   }
 }
 
+TEST(ConvergenceCommand, FindsWeakRidgesAndSaysWhatDoesNotExist) {
+  const ProgramResult weak = run({"convergence", "extrusion", "--cells", "50,100"});
+  ASSERT_EQ(weak.exitCode, 0) << weak.err;
+  EXPECT_EQ(weak.out.find("1.0000\n"), std::string::npos) << weak.out;  // nothing missed whole
+  EXPECT_NE(weak.out.find("jet       closed-form   order"), std::string::npos) << weak.out;
+  // Half of what the one-ring finds is stray.
+  EXPECT_NE(weak.out.find("one-ring  closed-form   no order"), std::string::npos) << weak.out;
+  const ProgramResult none =
+      run({"convergence", "extrusion", "--cells", "20,30", "--threshold", "1e5"});
+  EXPECT_EQ(none.out.find("nan"), std::string::npos) << none.out;
+  EXPECT_NE(none.out.find("-         -       -  1.0000"), std::string::npos) << none.out;
+}
+
+TEST(FieldsCommand, NeverOverwritesItsMesh) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "self.ply";
+  ASSERT_EQ(run({"fields", "solid:sphere:8", "-o", file}).exitCode, 0);
+  const std::string before = contentsOf(file);
+  const ProgramResult refused =
+      run({"fields", file, "-o", (folder.path() / "." / "self.ply").string()});
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_NE(refused.err.find("is the mesh itself"), std::string::npos) << refused.err;
+  EXPECT_EQ(contentsOf(file), before);
+}
+
 TEST(ConvergenceCommand, TablesAgreeAndTheSeedDecides) {
   const TemporaryFolder folder;
   const auto csv = [&](const std::string& name, const std::string& seed) {

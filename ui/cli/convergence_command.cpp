@@ -77,7 +77,8 @@ void addConvergenceCommand(CLI::App& app, Action& action, const std::string& com
       "How far are apparent ridges of a mesh from the exact ones, and do they come nearer when "
       "the\n"
       "mesh is refined? Surfaces whose ridges are known from flatland; both estimators of\n"
-      "curvature, both ways to the derivative. The table goes to standard output.");
+      "curvature, both ways to the derivative. The table goes to standard output; a mesh of which\n"
+      "more than a tenth is stray or missed takes no part in the order.");
   command
       .add_option_function<std::string>(
           "case",
@@ -105,7 +106,7 @@ void addConvergenceCommand(CLI::App& app, Action& action, const std::string& com
       ->type_name("S");
   command
       .add_option("--threshold", options->study.threshold,
-                  "Of the apparent ridges, as in flatland lines")
+                  "Of the apparent ridges, as in flatland lines [0, to look at weak ones too]")
       ->type_name("V")
       ->check(CLI::Range(0.0, 1e6).description(""));
   addSize(command, options->size);

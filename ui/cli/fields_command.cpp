@@ -24,6 +24,7 @@ std::string whyNotOutput(const std::string& file) {
 }
 
 int run(const Options& options) {
+  refuseToOverwrite(options.mesh, options.output);
   const PreparedMesh prepared = preparedMesh(options.mesh, options.fields);
   const TriangleMesh& mesh = prepared.built.mesh;
   const SurfaceView view = projectionOf(options.camera, mesh).view();

@@ -205,6 +205,7 @@ int run(const Options& given) {
   if (options.minLength) options.strokes.minLengthPx = *options.minLength / scale;
   options.strokes.inkWidthPx = options.figure.widthPx / scale;
   const std::vector<View> views = viewsOf(options);
+  for (const View& view : views) refuseToOverwrite(options.mesh, view.file);
 
   const PreparedMesh prepared = preparedMesh(options.mesh, options.fields);
   const TriangleMesh& mesh = prepared.built.mesh;

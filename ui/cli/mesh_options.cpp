@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "core3d/io/named_mesh.h"
 #include "flatland/io/number_text.h"
@@ -218,6 +219,13 @@ PreparedMesh preparedMesh(const std::string& mesh, const FieldOptions& fields) {
   prepared.fields = estimateFields(prepared.built.mesh, options);
   prepared.fieldsMs = millisecondsSince(fieldsStart);
   return prepared;
+}
+
+void refuseToOverwrite(const std::string& mesh, const std::string& output) {
+  std::error_code notThere;  // then they differ
+  if (std::filesystem::equivalent(mesh, output, notThere)) {
+    throw UsageError("the output " + output + " is the mesh itself, which would be lost");
+  }
 }
 
 std::string commandWithoutFolders(int argc, const char* const* argv) {
