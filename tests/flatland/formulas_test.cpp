@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Taylor arithmetic against 50 digits (its edges: taylor_test.cpp), and typed formulas: their grammar, values and errors.
+// Taylor arithmetic against 50 digits (its edges: taylor_test.cpp), and typed formulas: their
+// grammar, values and errors.
 #include <gtest/gtest.h>
 
 #include <boost/math/constants/constants.hpp>

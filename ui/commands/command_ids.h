@@ -4,6 +4,11 @@
 namespace flatland::ui {
 
 /// The kinds of commands that may merge (QUndoCommand::id); only equal ones are tried.
-enum CommandId { kCurvesCommandId = 1, kViewCommandId = 2, kLessonCommandId = 3, kSurfaceCommandId = 4 };
+enum CommandId {
+  kCurvesCommandId = 1,
+  kViewCommandId = 2,
+  kLessonCommandId = 3,
+  kSurfaceCommandId = 4
+};
 
 }  // namespace flatland::ui
