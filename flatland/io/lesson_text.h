@@ -44,9 +44,9 @@ struct Lesson {
 };
 
 /// The panels that a step may ask for: the docks of the window.
-inline constexpr std::string_view kLessonPanels[] = {"view",   "legend", "probe", "points",
-                                                     "curve",  "plots",  "sweep", "study",
-                                                     "limits", "marks",  "lesson"};
+inline constexpr std::string_view kLessonPanels[] = {
+    "view",  "legend", "probe", "points", "curve",   "plots",   "sweep",
+    "study", "limits", "marks", "lesson", "surface", "families"};
 
 inline constexpr std::size_t kLargestLessonBytes = 1024U * 1024U;
 inline constexpr std::size_t kMostLessonSteps = 500;

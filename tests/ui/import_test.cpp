@@ -111,11 +111,11 @@ class ImportTest : public QObject {
     WindowDriver& d = *driver_;
     const Scene before = d.scene();
     QByteArray path = "<svg><path d='M0 0";
-    for (int i = 0; i < 1001; ++i) path += "l1 " + QByteArray::number(i % 3);
+    for (int i = 0; i < 5001; ++i) path += "l1 " + QByteArray::number(i % 3);
     write(drawing_, path + "'/></svg>");
     d.window().files().openFile(drawing_);
     auto& text = d.child<QLabel>("message.text");
-    QVERIFY2(text.text().contains("has 1001 pieces"), qPrintable(text.text()));
+    QVERIFY2(text.text().contains("has 5001 pieces"), qPrintable(text.text()));
     QVERIFY(d.scene() == before);
   }
 
