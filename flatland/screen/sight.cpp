@@ -84,39 +84,39 @@ Vec2 SightCurves::point(int curve, int piece, double t) const {
   return pointAt(pieces[index][static_cast<std::size_t>(piece)], t);
 }
 
-Sight::Sight(const SightCurves& curves, const View& view)
+CurveSight::CurveSight(const SightCurves& curves, const View& view)
     : curves_(&curves), frame_(frameOf(view)), sameImage_(kSameImage * curves.size) {
   // An angle is rounded against 1, however far the viewer stands.
   if (frame_.distance) sameImage_ = kSameImage * std::max(curves.size / *frame_.distance, 1e-3);
 }
 
-double Sight::sameDepth() const { return kSameDepth * curves_->size; }
+double CurveSight::sameDepth() const { return kSameDepth * curves_->size; }
 
-double Sight::depth(const Vec2& p) const {
+double CurveSight::depth(const Vec2& p) const {
   return frame_.distance ? *frame_.distance - p.dot(frame_.towards) : 1.0;
 }
 
-double Sight::image(const Vec2& p) const {
+double CurveSight::image(const Vec2& p) const {
   return frame_.distance ? std::atan2(p.dot(frame_.axis), depth(p)) : p.dot(frame_.axis);
 }
 
-SightLine Sight::lineThrough(const Vec2& q) const {
+SightLine CurveSight::lineThrough(const Vec2& q) const {
   return {image(q), depth(q), q.dot(frame_.axis)};
 }
 
-SightLine Sight::lineAt(double image) const {
+SightLine CurveSight::lineAt(double image) const {
   if (!frame_.distance) return {image, 1.0, image};
   return {image, std::cos(image), std::sin(image)};
 }
 
 // Signed distance, on the screen, of the image of p from the line; in perspective multiplied by
 // positive factors, so that it stays finite.
-double Sight::beside(const Vec2& p, const SightLine& line) const {
+double CurveSight::beside(const Vec2& p, const SightLine& line) const {
   const double across = p.dot(frame_.axis);
   return frame_.distance ? across * line.along - line.up * depth(p) : across - line.up;
 }
 
-double Sight::nearestOf(int curve, int piece, double low, double high) const {
+double CurveSight::nearestOf(int curve, int piece, double low, double high) const {
   const auto index = static_cast<std::size_t>(curve);
   double most = -std::numeric_limits<double>::infinity();
   const auto take = [&](const std::vector<Vec2>& points) {
@@ -145,7 +145,7 @@ double Sight::nearestOf(int curve, int piece, double low, double high) const {
   return most;
 }
 
-void Sight::cut(int curve, int piece, std::vector<SightPart>& to) const {
+void CurveSight::cut(int curve, int piece, std::vector<SightPart>& to) const {
   std::vector<double> cuts =
       foldCuts(curves_->curves[static_cast<std::size_t>(curve)], piece, frame_, curves_->size);
   cuts.insert(cuts.begin(), 0.0);
@@ -169,8 +169,8 @@ void Sight::cut(int curve, int piece, std::vector<SightPart>& to) const {
   }
 }
 
-bool Sight::add(const SightCurves::Stretch& stretch, int curve, int piece, double low, double high,
-                double nearest, std::vector<SightPart>& to) const {
+bool CurveSight::add(const SightCurves::Stretch& stretch, int curve, int piece, double low,
+                     double high, double nearest, std::vector<SightPart>& to) const {
   if (!(depth(curves_->point(curve, piece, 0.5 * (low + high))) > 0.0)) return false;  // behind
   const Vec2 atLow = curves_->point(curve, piece, low), atHigh = curves_->point(curve, piece, high);
   const auto imageAt = [&](const Vec2& p, double t, double inwards) {
@@ -184,11 +184,11 @@ bool Sight::add(const SightCurves::Stretch& stretch, int curve, int piece, doubl
   return true;
 }
 
-bool Sight::isEndOn(const SightPart& part) const {
+bool CurveSight::isEndOn(const SightPart& part) const {
   return std::abs(part.atLow - part.atHigh) <= sameImage_;
 }
 
-double Sight::crossing(const SightPart& part, const SightLine& line) const {
+double CurveSight::crossing(const SightPart& part, const SightLine& line) const {
   double a = part.low, b = part.high;
   double fa = beside(part.pointLow, line), fb = beside(part.pointHigh, line);
   if (fa == 0.0) return a;
@@ -215,7 +215,7 @@ double Sight::crossing(const SightPart& part, const SightLine& line) const {
   return 0.5 * (a + b);
 }
 
-double Sight::nearestOn(const SightPart& part, const SightLine& line) const {
+double CurveSight::nearestOn(const SightPart& part, const SightLine& line) const {
   // The line cuts the hull between two of its points. Slack shifts them both ways.
   constexpr std::size_t kMost = 16;
   const std::vector<Vec2>& points = part.stretch->around;
@@ -240,7 +240,7 @@ double Sight::nearestOn(const SightPart& part, const SightLine& line) const {
   return std::min(part.nearest, most + slack);
 }
 
-bool Sight::hides(const SightPart& part, const Vec2& q, const SightLine& line) const {
+bool CurveSight::hides(const SightPart& part, const Vec2& q, const SightLine& line) const {
   const double nearest = nearness(frame_, q) + sameDepth();
   if (!(part.nearest > nearest)) return false;
   const double slack = isEndOn(part) ? sameImage_ : 0.0;
@@ -257,7 +257,7 @@ bool Sight::hides(const SightPart& part, const Vec2& q, const SightLine& line) c
   return depth(p) > 0.0 && nearness(frame_, p) > nearest;
 }
 
-bool Sight::isOn(const SightPart& part, int curve, double t) const {
+bool CurveSight::isOn(const SightPart& part, int curve, double t) const {
   if (part.curve != curve) return false;
   const auto near = [&](double x) {
     return x >= part.piece + part.low - kSameParameter &&

@@ -43,14 +43,14 @@ struct SightPart {
 
 /// A line of sight; its coefficients are chosen so that nothing is infinite.
 struct SightLine {
-  double image;      ///< see Sight::image
+  double image;      ///< see CurveSight::image
   double along, up;  ///< perspective: the line is across * along = depth * up
 };
 
 /// A scene in one view. Holds a reference to `curves`.
-class Sight {
+class CurveSight {
  public:
-  Sight(const SightCurves& curves, const View& view);
+  CurveSight(const SightCurves& curves, const View& view);
 
   const ViewFrame& frame() const { return frame_; }
   const SightCurves& scene() const { return *curves_; }

@@ -184,7 +184,7 @@ class Ray {
     return 0.5 * (low + high);
   }
 
-  const Sight sight_;
+  const CurveSight sight_;
   const int curve_;
   const double t_;
   const Vec2 q_;

@@ -127,7 +127,7 @@ struct Span {
 /// What is in front all along the screen.
 class FrontLine {
  public:
-  FrontLine(const Sight& sight, const std::vector<SightPart>& parts, const PartTree& tree)
+  FrontLine(const CurveSight& sight, const std::vector<SightPart>& parts, const PartTree& tree)
       : sight_(sight), parts_(parts), tree_(tree) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const int index = static_cast<int>(i);
@@ -259,7 +259,7 @@ class FrontLine {
     from_ = to;
   }
 
-  const Sight& sight_;
+  const CurveSight& sight_;
   const std::vector<SightPart>& parts_;
   const PartTree& tree_;
   std::vector<Strip> strips_;
@@ -275,7 +275,7 @@ struct Visibility::Parts {
   explicit Parts(const Scene& scene)
       : curves(scene), sight(curves, scene.view), parts(cutAll(sight)), tree(parts) {}
 
-  static std::vector<SightPart> cutAll(const Sight& sight) {
+  static std::vector<SightPart> cutAll(const CurveSight& sight) {
     std::vector<SightPart> parts;
     const std::vector<Curve>& curves = sight.scene().curves;
     for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -319,7 +319,7 @@ struct Visibility::Parts {
   }
 
   SightCurves curves;
-  Sight sight;
+  CurveSight sight;
   std::vector<SightPart> parts;
   PartTree tree;
   std::mutex mutex;  ///< for the intervals, found when first asked for
@@ -332,7 +332,7 @@ Visibility::Visibility(Visibility&&) noexcept = default;
 Visibility& Visibility::operator=(Visibility&&) noexcept = default;
 
 bool Visibility::isVisible(int curve, double t) const {
-  const Sight& sight = parts_->sight;
+  const CurveSight& sight = parts_->sight;
   const Vec2 q = pointAt(parts_->curves.curves[static_cast<std::size_t>(curve)], t);
   if (!screenCoordinate(sight.frame(), q)) return false;
   const SightLine line = sight.lineThrough(q);
