@@ -11,6 +11,7 @@
 #include "core3d/lines/line_finder.h"
 #include "core3d/mesh/build_mesh.h"
 #include "core3d/study/line_distances.h"
+#include "core3d/study/unit_random.h"
 
 namespace flatland {
 
@@ -156,16 +157,14 @@ LineAgreement agreementOf(MarkKind kind, const BridgePrediction& prediction, con
   return agreement;
 }
 
-/// In [0, 1), the same on every machine.
-double random(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
-
 BridgeTrial drawnTrial(std::mt19937_64& engine) {
   std::vector<Vec2> points;
   for (int k = 0; k < kRandomPoints; ++k) {
-    const double x = random(engine), y = random(engine);
+    const double x = unitRandom(engine), y = unitRandom(engine);
     points.emplace_back(x, y);
   }
-  const double up = 2.0 * random(engine) - 1.0, turn = 2.0 * std::numbers::pi * random(engine);
+  const double up = 2.0 * unitRandom(engine) - 1.0,
+               turn = 2.0 * std::numbers::pi * unitRandom(engine);
   const double out = std::sqrt(1.0 - up * up);
   const BSpline spline(kRandomDegree, false, points,
                        BSpline::uniformKnots(kRandomDegree, false, points.size()));

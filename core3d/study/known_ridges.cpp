@@ -10,6 +10,7 @@
 
 #include "core3d/mesh/grid.h"
 #include "core3d/mesh/solids.h"
+#include "core3d/study/unit_random.h"
 #include "flatland/features/features.h"
 
 namespace flatland {
@@ -27,15 +28,12 @@ Curve formula(Family::Id family, std::vector<double> parameters) {
   return *FormulaCurve::make(FamilyCurve{family, std::move(parameters)}).curve;
 }
 
-/// In [0, 1), the same on every machine.
-double random(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
-
 /// A graph over [left, right]: control points at equal steps, heights in [-1, 1].
 Curve randomGraph(double left, double right, std::uint64_t seed) {
   std::mt19937_64 engine(seed);
   std::vector<Vec2> points;
   for (int i = 0; i < 5; ++i) {
-    points.emplace_back(left + (right - left) * i / 4.0, 2.0 * random(engine) - 1.0);
+    points.emplace_back(left + (right - left) * i / 4.0, 2.0 * unitRandom(engine) - 1.0);
   }
   return BezierChain(4, false, points);
 }
@@ -121,8 +119,8 @@ PolygonSoup KnownRidges::meshed(const KnownMeshing& meshing) const {
     for (int i = 0; i <= n; ++i) {
       double u = i, v = j;
       if (meshing.irregular && i > 0 && i < n && (turns() || (j > 0 && j < n))) {
-        u += 0.5 * random(engine) - 0.25;
-        v += 0.5 * random(engine) - 0.25;
+        u += 0.5 * unitRandom(engine) - 0.25;
+        v += 0.5 * unitRandom(engine) - 0.25;
       }
       const Eigen::Vector3d p = place(pointAt(curve_, u / n), start + sweep * v / n);
       soup.addVertex(p.x(), p.y(), p.z());

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/core3d/example_meshes.h"
 #include "tests/support/run_program.h"
 
 namespace flatland {
@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::dataFolder;
 
 constexpr std::uintmax_t kLargeBytes = 3000000;  // what takes long to draw is tested as "Large"
 constexpr std::size_t kMeshes = 21;
@@ -43,23 +44,8 @@ Usage usageOfPrograms() {
           static_cast<double>(usage.ru_maxrss) / 1024.0};
 }
 
-fs::path dataFolder() {
-  const char* asked = std::getenv("FLATLAND_DATA");
-  return asked ? fs::path(asked) : fs::path(FLATLAND_DATA_FOLDER);
-}
-
-// Without the data the test is skipped at home, and fails where everything must be there.
-class LinesData : public testing::Test {
+class LinesData : public test::ExampleMeshes {
  protected:
-  void SetUp() override {
-    if (fs::is_directory(dataFolder() / "meshes")) return;
-    const char* ci = std::getenv("CI");
-    if (ci && std::string(ci) == "true") {
-      FAIL() << dataFolder() << " has no example meshes; set FLATLAND_DATA";
-    }
-    GTEST_SKIP() << "no example meshes in " << dataFolder() << "; set FLATLAND_DATA";
-  }
-
   static std::vector<fs::path> meshes(bool large) {
     std::vector<fs::path> files;
     std::size_t all = 0;
