@@ -2,6 +2,7 @@
 // The surface in the real window, by mouse and keys. FLATLAND_DATA names the example meshes.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
@@ -27,7 +28,7 @@ constexpr int kPatienceMs = 60000;
 /// A mesh of the example data; empty where there is none.
 QString dataMesh(const char* name) {
   const QString folder = qEnvironmentVariable("FLATLAND_DATA", FLATLAND_DATA_FOLDER);
-  const QString file = folder + "/meshes/" + name;
+  const QString file = QDir::cleanPath(folder + "/meshes/" + name);
   return QFile::exists(file) ? file : QString();
 }
 
