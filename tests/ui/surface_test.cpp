@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QSlider>
 
 #include "flatland/io/scene_json.h"
@@ -143,6 +144,62 @@ class SurfaceTest : public QObject {
     key(Qt::Key_R);
     QVERIFY(camera() == SurfaceCamera{});
     QCOMPARE(d.document().undoStack().count(), steps);
+  }
+
+  void aClickPicksAPoint() {
+    openSolid("torus:40");
+    WindowDriver& d = *driver_;
+    SurfacePick& pick = d.window().surfaceModels().pick;
+    QSignalSpy changes(&pick, &SurfacePick::changed);
+    const Projection projection = orbitProjection(camera(), pick.surface()->ballRadius,
+                                                  surface().width(), surface().height());
+    // A vertex turned to the viewer: its own pixel picks it, or another one in front of it.
+    const QPoint ring(surface().width() / 2,
+                      qRound(surface().height() / 2 + 0.6 * projection.pxPerUnit));
+    const SurfaceCamera before = camera();
+    QTest::mousePress(&surface(), Qt::LeftButton, {}, ring);
+    move(ring + QPoint(2, 1), {}, Qt::LeftButton);  // a hand trembles
+    QTest::mouseRelease(&surface(), Qt::LeftButton, {}, ring + QPoint(2, 1));
+    QVERIFY(camera() == before);
+    QVERIFY(pick.hit());
+    QCOMPARE(changes.count(), 1);
+    const auto px = projection.toScreen(pick.hit()->at);
+    QVERIFY(px && (*px - Eigen::Vector2d(ring.x(), ring.y())).norm() < 1e-6);
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    const TriangleMesh& mesh = *pick.surface()->mesh;
+    for (std::size_t k = 0; k < 3; ++k) {
+      middle += pick.hit()->weights[k] *
+                mesh.position(mesh.triangles[pick.hit()->triangle][k]).cast<double>();
+    }
+    QVERIFY((middle - pick.hit()->at).norm() < 1e-6);
+    // It stays on the surface while that is turned; a drag picks nothing.
+    const SurfaceHit picked = *pick.hit();
+    drag({200, 200}, {260, 200});
+    QVERIFY(pick.hit() && pick.hit()->at == picked.at);
+    key(Qt::Key_Escape);
+    QVERIFY(!pick.hit());
+    // P looks in the middle of the picture, which is the hole of the torus seen from the front.
+    key(Qt::Key_1);
+    key(Qt::Key_P);
+    QVERIFY(!pick.hit());
+    key(Qt::Key_7);
+    pick.pickVertex(7);
+    QVERIFY(pick.hit());
+    QCOMPARE(pick.vertex(), 7u);
+    QVERIFY((pick.hit()->at - mesh.position(7).cast<double>()).norm() == 0.0);
+    QTest::mouseClick(&surface(), Qt::LeftButton, {}, {3, surface().height() / 2});
+    QVERIFY(!pick.hit());
+    pick.pickTriangle(11);
+    QCOMPARE(pick.hit()->triangle, 11u);
+    pick.pickTriangle(static_cast<std::uint32_t>(mesh.triangleCount()));
+    QCOMPARE(pick.hit()->triangle, 11u);
+    // Fields come and go; another mesh has other triangles.
+    auto& scale = d.child<QDoubleSpinBox>("surface.scale");
+    scale.setValue(2.0);
+    QVERIFY(quiet());
+    QCOMPARE(pick.hit()->triangle, 11u);
+    openSolid("sphere:16");
+    QVERIFY(!pick.hit());
   }
 
   void theWheelZoomsAtThePointer() {

@@ -60,6 +60,7 @@ std::vector<Section> gestures() {
        {{KeySheet::tr("Drag, Ctrl + drag"), KeySheet::tr("Turn, roll")},
         {KeySheet::tr("Shift + drag, middle button"), KeySheet::tr("Move")},
         {KeySheet::tr("1 3 7, 9"), KeySheet::tr("Front, right, top; opposite side")},
+        {KeySheet::tr("Click; P"), KeySheet::tr("Pick the point there, in the middle")},
         {KeySheet::tr("5, F, R, Space"), KeySheet::tr("Perspective, fit, reset, spin")}}},
       {KeySheet::tr("Sweep panel"),
        {{KeySheet::tr("Left, Right"), KeySheet::tr("Turn the view by 1°")},

@@ -55,6 +55,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
       lesson_(document_, probe_, display_),
       surfaceSource_(document_),
       seenSource_(document_, surfaceSource_),
+      surfacePick_(surfaceSource_),
       docks_(std::make_unique<Docks>(*this)) {
   setObjectName("window");
   setAcceptDrops(true);

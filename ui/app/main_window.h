@@ -50,7 +50,9 @@ class MainWindow : public QMainWindow {
   LessonModel& lesson() { return lesson_; }
   LessonFiles& lessons() { return *lessons_; }
   ImportController& imports() { return *imports_; }
-  SurfaceModels surfaceModels() { return {document_, surfaceSource_, seenSource_, display_}; }
+  SurfaceModels surfaceModels() {
+    return {document_, surfaceSource_, seenSource_, display_, surfacePick_};
+  }
   SurfaceController& surfaces() { return *surfaces_; }
   SurfaceArea& surfaceArea() { return *surfaceArea_; }
 
@@ -87,6 +89,7 @@ class MainWindow : public QMainWindow {
   LessonModel lesson_;
   SurfaceSource surfaceSource_;
   SeenSource seenSource_;
+  SurfacePick surfacePick_;
   std::unique_ptr<Docks> docks_;
   Look* look_ = nullptr;
   Layouts* layouts_ = nullptr;

@@ -3,12 +3,16 @@
 
 namespace flatland::ui {
 
+std::optional<SurfaceHit> hitAt(const LoadedSurface& surface, const Projection& projection,
+                                const Eigen::Vector2d& px) {
+  const Sight sight = sightThrough(projection, px);
+  return firstHit(*surface.mesh, sight.from, sight.along, !projection.distance.has_value());
+}
+
 std::optional<SurfaceReading> readingAt(const LoadedSurface& surface, const Projection& projection,
                                         const Eigen::Vector2d& px) {
   const TriangleMesh& mesh = *surface.mesh;
-  const Sight sight = sightThrough(projection, px);
-  const std::optional<SurfaceHit> hit =
-      firstHit(mesh, sight.from, sight.along, !projection.distance.has_value());
+  const std::optional<SurfaceHit> hit = hitAt(surface, projection, px);
   if (!hit) return std::nullopt;
   SurfaceReading reading{};
   reading.hit = *hit;

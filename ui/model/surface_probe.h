@@ -19,7 +19,12 @@ struct SurfaceReading {
   std::optional<SurfaceTerms> terms;  ///< empty before fields are there, or without a normal
 };
 
-/// Nothing where the background is seen. Tries every triangle, see firstHit().
+/// The place of the surface under a pixel; nothing where the background is seen. Tries every
+/// triangle, see firstHit().
+std::optional<SurfaceHit> hitAt(const LoadedSurface& surface, const Projection& projection,
+                                const Eigen::Vector2d& px);
+
+/// The same with what the view makes of it.
 std::optional<SurfaceReading> readingAt(const LoadedSurface& surface, const Projection& projection,
                                         const Eigen::Vector2d& px);
 

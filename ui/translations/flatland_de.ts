@@ -3383,6 +3383,14 @@
         <source>Perspective, fit, reset, spin</source>
         <translation>Perspektive, einpassen, zurücksetzen, kreiseln</translation>
     </message>
+    <message>
+        <source>Click; P</source>
+        <translation>Klick; P</translation>
+    </message>
+    <message>
+        <source>Pick the point there, in the middle</source>
+        <translation>Den Punkt dort, in der Mitte wählen</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::Layouts</name>
@@ -4549,10 +4557,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
 <context>
     <name>flatland::ui::SurfaceInput</name>
     <message>
-        <source>Drag: turn. Shift + drag: move. Wheel: zoom. 1 3 7: views. 5: perspective.</source>
-        <translation>Ziehen: drehen. Umschalt + Ziehen: verschieben. Rad: Zoom. 1 3 7: Ansichten. 5: Perspektive.</translation>
-    </message>
-    <message>
         <source>Turning; Esc takes it back</source>
         <translation>Drehen; Esc nimmt es zurück</translation>
     </message>
@@ -4563,6 +4567,10 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>Rolling; Esc takes it back</source>
         <translation>Rollen; Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag: turn (Shift: move). Click: pick. Wheel: zoom. 1 3 7: views. 5: perspective.</source>
+        <translation>Ziehen: drehen (Umschalt: verschieben). Klick: Punkt wählen. Rad: Zoom. 1 3 7: Ansichten. 5: Perspektive.</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 
 #include "ui/flat/wheel.h"
 #include "ui/model/orbit.h"
+#include "ui/model/surface_probe.h"
 
 namespace flatland::ui {
 
@@ -18,6 +19,7 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double kClickReachPx = 4.0;  ///< a hand that does not drag moves less
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kDegreesPerNotch = 120.0;    ///< QWheelEvent::angleDelta of one notch
 constexpr double kKeyStepShare = 1.0 / 36.0;  ///< of the height: an arrow key turns by 5 degrees
@@ -38,6 +40,7 @@ bool isSurfaceKey(const QKeyEvent& event) {
     case Qt::Key_9:
     case Qt::Key_0:
     case Qt::Key_F:
+    case Qt::Key_P:
     case Qt::Key_R:
     case Qt::Key_Home:
     case Qt::Key_Space:
@@ -89,7 +92,7 @@ bool SurfaceInput::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseMove:
       return move(static_cast<const QMouseEvent&>(*event));
     case QEvent::MouseButtonRelease:
-      if (static_cast<const QMouseEvent*>(event)->buttons() == Qt::NoButton) endDrag();
+      release(static_cast<const QMouseEvent&>(*event));
       return true;
     case QEvent::Wheel:
       return wheel(static_cast<const QWheelEvent&>(*event));
@@ -105,8 +108,8 @@ bool SurfaceInput::eventFilter(QObject*, QEvent* event) {
     }
     case QEvent::ShortcutOverride: {
       const auto& pressed = static_cast<const QKeyEvent&>(*event);
-      const bool takesBack =
-          pressed.key() == Qt::Key_Escape && (drag_ != Drag::None || isSpinning());
+      const bool takesBack = pressed.key() == Qt::Key_Escape &&
+                             (drag_ != Drag::None || isSpinning() || models_.pick.hit());
       if (!isSurfaceKey(pressed) && !takesBack) return false;
       event->accept();
       return true;
@@ -135,7 +138,8 @@ bool SurfaceInput::press(const QMouseEvent& event) {
   } else {
     return false;
   }
-  last_ = event.position();
+  last_ = pressed_ = event.position();
+  mayBeClick_ = drag_ == Drag::Orbit;
   before_ = camera();
   emit pointedAt(std::nullopt);
   return true;
@@ -146,10 +150,12 @@ bool SurfaceInput::move(const QMouseEvent& event) {
   if (drag_ != Drag::None && event.buttons() == Qt::NoButton) endDrag();
   const QPointF at = event.position();
   const Vector2d by = vectorOf(at - last_);
+  mayBeClick_ = mayBeClick_ && (at - pressed_).manhattanLength() <= kClickReachPx;
   switch (drag_) {
     case Drag::None:
       emit pointedAt(at);
-      emit hint(tr("Drag: turn. Shift + drag: move. Wheel: zoom. 1 3 7: views. 5: perspective."));
+      emit hint(
+          tr("Drag: turn (Shift: move). Click: pick. Wheel: zoom. 1 3 7: views. 5: perspective."));
       return true;
     case Drag::Orbit:
       setCamera(orbited(camera(), by, canvas_.height()));
@@ -170,6 +176,20 @@ bool SurfaceInput::move(const QMouseEvent& event) {
   }
   last_ = at;
   return true;
+}
+
+void SurfaceInput::release(const QMouseEvent& event) {
+  if (event.buttons() != Qt::NoButton) return;
+  const bool clicked = drag_ == Drag::Orbit && mayBeClick_;
+  // A hand that trembles while it clicks turns nothing.
+  if (clicked && !(camera() == *before_)) setCamera(*before_);
+  endDrag();
+  if (clicked) pickAt(pressed_);
+}
+
+void SurfaceInput::pickAt(const QPointF& px) {
+  if (!models_.source.surface()) return;
+  models_.pick.pick(hitAt(*models_.source.surface(), projection(), vectorOf(px)));
 }
 
 void SurfaceInput::endDrag() {
@@ -203,8 +223,13 @@ bool SurfaceInput::key(const QKeyEvent& event) {
       setCamera(before);
       return true;
     }
-    if (!isSpinning()) return false;
-    setSpinning(false);
+    if (isSpinning()) {
+      setSpinning(false);
+    } else if (models_.pick.hit()) {
+      models_.pick.pick(std::nullopt);
+    } else {
+      return false;
+    }
     return true;
   }
   if (!isSurfaceKey(event)) return false;
@@ -238,6 +263,9 @@ bool SurfaceInput::key(const QKeyEvent& event) {
       other.centre.setZero();
       other.zoom = 1.0;
       setCamera(other);
+      break;
+    case Qt::Key_P:
+      pickAt({middle.x(), middle.y()});
       break;
     case Qt::Key_0:
     case Qt::Key_R:

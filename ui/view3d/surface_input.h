@@ -16,7 +16,9 @@ class QWheelEvent;
 namespace flatland::ui {
 
 /// What mouse, trackpad and keys do to the camera, on whatever widget shows the surface. Every
-/// motion is Document::setCamera(); Esc takes a drag back.
+/// motion is Document::setCamera(); Esc takes a drag back, stops spinning, or drops the pick. A
+/// click without a drag picks the place under it, on the background none; P picks in the middle of
+/// the picture.
 class SurfaceInput : public QObject {
   Q_OBJECT
 
@@ -41,7 +43,9 @@ class SurfaceInput : public QObject {
   bool move(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(const QKeyEvent& event);
+  void release(const QMouseEvent& event);
   void endDrag();
+  void pickAt(const QPointF& px);
   void setCamera(const SurfaceCamera& camera);
   const SurfaceCamera& camera() const { return models_.document.scene().surface->camera; }
   Projection projection() const;
@@ -49,7 +53,8 @@ class SurfaceInput : public QObject {
   QWidget& canvas_;
   SurfaceModels models_;
   Drag drag_ = Drag::None;
-  QPointF last_;
+  QPointF last_, pressed_;
+  bool mayBeClick_ = false;              ///< the pointer has not left where it was pressed
   std::optional<SurfaceCamera> before_;  ///< the drag
   QTimer spin_;
 };

@@ -4,6 +4,7 @@
 #include "ui/model/display.h"
 #include "ui/model/document.h"
 #include "ui/model/seen_surface.h"
+#include "ui/model/surface_pick.h"
 #include "ui/model/surface_source.h"
 
 namespace flatland::ui {
@@ -14,6 +15,7 @@ struct SurfaceModels {
   SurfaceSource& source;
   SeenSource& seen;
   Display& display;
+  SurfacePick& pick;
 };
 
 }  // namespace flatland::ui

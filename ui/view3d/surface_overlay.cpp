@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/view3d/pick_marks.h"
 #include "ui/view3d/surface_picture.h"
 
 namespace flatland::ui {
@@ -57,6 +58,7 @@ SurfaceOverlay::SurfaceOverlay(const SurfaceModels& models, QWidget* parent)
   connect(&models_.source, &SurfaceSource::changed, this, repaint);
   connect(&models_.seen, &SeenSource::changed, this, repaint);
   connect(&models_.display, &Display::changed, this, repaint);
+  connect(&models_.pick, &SurfacePick::changed, this, repaint);
 }
 
 void SurfaceOverlay::setFrameMs(double milliseconds) {
@@ -119,6 +121,11 @@ void SurfaceOverlay::paintEvent(QPaintEvent*) {
   const SceneColours& colours = sceneColours(picture.palette);
   painter.setPen(QColor(colours.text.r, colours.text.g, colours.text.b));
   painter.setBackground(QColor(colours.background.r, colours.background.g, colours.background.b));
+  if (picture.surface) {
+    paintPick(
+        painter, models_,
+        orbitProjection(picture.setting.camera, picture.surface->ballRadius, width(), height()));
+  }
   paintLines(painter, rect(), titleLines(), Qt::AlignLeft | Qt::AlignTop);
   paintLines(painter, rect(), timeLines(), Qt::AlignRight | Qt::AlignTop);
   paintLines(painter, rect(), readingLines(), Qt::AlignLeft | Qt::AlignBottom);

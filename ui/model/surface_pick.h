@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "core3d/lines/vertex_terms.h"
+#include "ui/model/surface_source.h"
+
+namespace flatland::ui {
+
+/// The place of the surface that a person picked, by a click on its picture or by number: what the
+/// derivation, the triangle and the cutting plane are about. It stays where it is on the surface
+/// while the camera moves and the fields are estimated anew, and goes with its mesh.
+class SurfacePick : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SurfacePick(const SurfaceSource& source, QObject* parent = nullptr);
+
+  /// Triangle, weights of its corners and the place, in coordinates of the mesh; empty: none.
+  const std::optional<SurfaceHit>& hit() const { return hit_; }
+
+  /// The surface it lies on, null if there is none; fields may not be there yet. Only with hit().
+  const std::shared_ptr<const LoadedSurface>& surface() const { return source_.surface(); }
+
+  /// The corner of the triangle nearest to the place. Precondition: hit().
+  std::uint32_t vertex() const { return hit_->nearestVertex(*surface()->mesh); }
+
+  /// Picks a place of the surface there is; nullopt: none.
+  void pick(const std::optional<SurfaceHit>& hit);
+
+  /// Picks a vertex, as a corner of its first triangle, or the middle of a triangle. Out of range,
+  /// or without a surface: nothing happens.
+  void pickVertex(std::uint32_t vertex);
+  void pickTriangle(std::uint32_t triangle);
+
+ signals:
+  /// Another place, none any more, or the same one with other fields.
+  void changed();
+
+ private:
+  void follow();
+
+  const SurfaceSource& source_;
+  std::shared_ptr<const LoadedSurface> seen_;  ///< that hit_ is about, last told
+  std::optional<SurfaceHit> hit_;
+};
+
+}  // namespace flatland::ui

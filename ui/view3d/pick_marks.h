@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core3d/draw/camera.h"
+#include "ui/view3d/surface_models.h"
+
+class QPainter;
+
+namespace flatland::ui {
+
+/// Paints the picked place over the picture of the surface: a ring. Nothing where none is picked or
+/// it lies behind the viewer.
+void paintPick(QPainter& painter, const SurfaceModels& models, const Projection& projection);
+
+}  // namespace flatland::ui
