@@ -17,8 +17,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 constexpr int kSurfaceVersion = 3;  ///< with which surfaces came
+constexpr int kViewsVersion = 4;    ///< with further views, swept surfaces and planes
 
 View viewFrom(const JsonNode& node) {
   node.allowKeys({"angleDeg", "distance"});
@@ -45,19 +46,19 @@ int versionFrom(const JsonNode& top) {
                " was made by a newer Flatland; this one reads up to version " +
                std::to_string(kVersion));
   }
-  if (version < 1) node->fail("expected version 1 to 3, found " + std::to_string(version));
+  if (version < 1) node->fail("expected version 1 to 4, found " + std::to_string(version));
   return version;
 }
 
 /// The mesh that a scene file means, and what the file says for a mesh: paths in a file start at
 /// its folder, so that scene and mesh can be moved together.
 std::string meshFrom(const std::filesystem::path& file, const std::string& mesh) {
-  if (namesSolid(mesh)) return mesh;
+  if (!namesFile(mesh)) return mesh;
   return std::filesystem::absolute(file.parent_path() / mesh).lexically_normal().string();
 }
 
 std::string meshBeside(const std::filesystem::path& file, const std::string& mesh) {
-  if (namesSolid(mesh)) return mesh;
+  if (!namesFile(mesh)) return mesh;
   const std::filesystem::path whole = std::filesystem::absolute(mesh).lexically_normal();
   const std::filesystem::path folder =
       std::filesystem::absolute(file).lexically_normal().parent_path();
@@ -89,13 +90,17 @@ Scene sceneFromJson(const std::string& text, const std::string& source) {
       surface->fail("came with version 3; write \"flatland\": 3");
     }
     scene.surface = surfaceFrom(*surface);
+    if (version < kViewsVersion && needsVersion4(*scene.surface)) {
+      surface->fail("panes, ink, swept and plane came with version 4; write \"flatland\": 4");
+    }
   }
   return scene;
 }
 
 std::string sceneToJson(const Scene& scene) {
   // The lowest version that will do, so that older programs read what they can.
-  int version = scene.surface ? kSurfaceVersion : 1;
+  int version = 1;
+  if (scene.surface) version = needsVersion4(*scene.surface) ? kViewsVersion : kSurfaceVersion;
   for (const SceneCurve& curve : scene.curves) version = std::max(version, versionOf(curve.shape));
   std::string text = "{\n  \"flatland\": " + std::to_string(version) + ",\n  \"curves\": [";
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {

@@ -16,7 +16,7 @@ inline constexpr double kLargestLength =
     1e50;  ///< of coordinates and the distance: powers up to the sixth stay finite
 inline constexpr std::size_t kLargestSceneBytes = 64U * 1024U * 1024U;
 
-/// Reads the scene format of docs/user/scene-format.md, versions 1 to 3. `source` names the text
+/// Reads the scene format of docs/user/scene-format.md, versions 1 to 4. `source` names the text
 /// in errors. Throws InputError; nothing is guessed or dropped: an unknown key is an error too.
 Scene sceneFromJson(const std::string& text, const std::string& source);
 

@@ -29,6 +29,16 @@ Eigen::Vector3d vectorFrom(const JsonNode& node) {
   return v;
 }
 
+/// A vector as a unit vector.
+Eigen::Vector3d directionFrom(const JsonNode& node) {
+  Eigen::Vector3d v = vectorFrom(node);
+  const double length = v.norm();
+  if (!(length > 0.0)) node.fail("expected a direction, found 0, 0, 0");
+  // A direction of unit length is kept to its last bit.
+  if (std::abs(length - 1.0) > 1e-12) v /= length;
+  return v;
+}
+
 double positive(const JsonNode& node, double atLeast = 0.0) {
   const double value = node.length();
   if (value > 0.0 && value >= atLeast) return value;
@@ -40,13 +50,7 @@ double positive(const JsonNode& node, double atLeast = 0.0) {
 SurfaceCamera cameraFrom(const JsonNode& node) {
   node.allowKeys({"towards", "up", "centre", "zoom", "perspectiveDeg"});
   SurfaceCamera camera;
-  if (const auto towards = node.find("towards")) {
-    camera.towards = vectorFrom(*towards);
-    const double length = camera.towards.norm();
-    if (!(length > 0.0)) towards->fail("expected a direction, found 0, 0, 0");
-    // A direction of unit length is kept to its last bit.
-    if (std::abs(length - 1.0) > 1e-12) camera.towards /= length;
-  }
+  if (const auto towards = node.find("towards")) camera.towards = directionFrom(*towards);
   if (const auto up = node.find("up")) camera.up = vectorFrom(*up);
   const double sine = camera.towards.cross(camera.up).norm();
   if (!(sine > kNotParallel * camera.up.norm())) node.fail("\"up\" lies along \"towards\"");
@@ -84,6 +88,49 @@ SurfaceFamily familyFrom(const JsonNode& node) {
   if (const auto width = node.find("widthPx")) family.widthPx = positive(*width);
   if (const auto fade = node.find("fade")) family.fade = fade->boolean();
   return family;
+}
+
+SurfacePane paneFrom(const JsonNode& node) {
+  node.allowKeys({"families", "derivative", "shows", "camera"});
+  SurfacePane pane;
+  if (const auto families = node.find("families")) {
+    const std::size_t count = families->listSize("a list of names");
+    for (std::size_t i = 0; i < count; ++i) pane.families.push_back(families->at(i).text());
+  }
+  if (const auto derivative = node.find("derivative")) pane.derivative = derivative->text();
+  if (const auto shows = node.find("shows")) pane.shows = shows->text();
+  const auto camera = node.find("camera");
+  if (camera && !camera->value().is_null()) pane.camera = cameraFrom(*camera);
+  return pane;
+}
+
+SweptSetting sweptFrom(const JsonNode& node) {
+  node.allowKeys({"kind", "curve", "amount", "cells"});
+  SweptSetting swept;
+  swept.kind = node.at("kind").text();
+  const bool extrusion = swept.kind == "extrusion";
+  if (!extrusion && swept.kind != "revolution") {
+    node.at("kind").fail("expected extrusion or revolution");
+  }
+  if (const auto curve = node.find("curve")) {
+    if (curve->wholeNumber() < 0) curve->fail("expected the index of a curve, from 0");
+    swept.curve = static_cast<std::size_t>(curve->wholeNumber());
+  }
+  const JsonNode amount = node.at("amount");
+  swept.amount = extrusion ? positive(amount) : amount.length();
+  if (const auto cells = node.find("cells")) {
+    swept.cells = cells->wholeNumber();
+    if (swept.cells < kFewestSweptCells || swept.cells > kMostSweptCells) {
+      cells->fail("expected " + std::to_string(kFewestSweptCells) + " to " +
+                  std::to_string(kMostSweptCells) + " cells");
+    }
+  }
+  return swept;
+}
+
+SurfacePlane planeFrom(const JsonNode& node) {
+  node.allowKeys({"point", "normal"});
+  return {vectorFrom(node.at("point")), directionFrom(node.at("normal"))};
 }
 
 int levels(const JsonNode& node) {
@@ -129,6 +176,27 @@ std::string familyText(const SurfaceFamily& family, const std::string& path) {
          ", \"fade\": " + (family.fade ? "true" : "false") + "}";
 }
 
+std::string paneText(const SurfacePane& pane, const std::string& path) {
+  std::string families;
+  for (const std::string& name : pane.families) {
+    families += (families.empty() ? "" : ", ") + quoted(name, pathTo(path, "families"));
+  }
+  return "{\"families\": [" + families + "], \"derivative\": " + quoted(pane.derivative, path) +
+         ", \"shows\": " + quoted(pane.shows, path) + ", \"camera\": " +
+         (pane.camera ? cameraText(*pane.camera, pathTo(path, "camera")) : "null") + "}";
+}
+
+std::string sweptText(const SweptSetting& swept, const std::string& path) {
+  return "{\"kind\": " + quoted(swept.kind, path) + ", \"curve\": " + std::to_string(swept.curve) +
+         ", \"amount\": " + lengthText(swept.amount, path) +
+         ", \"cells\": " + std::to_string(swept.cells) + "}";
+}
+
+std::string planeText(const SurfacePlane& plane, const std::string& path) {
+  return "{\"point\": " + vectorText(plane.point, path) +
+         ", \"normal\": " + vectorText(plane.normal, path) + "}";
+}
+
 /// A list with an entry on each line, as the value of a key two levels deep.
 template <class Entries, class Text>
 std::string listText(const Entries& entries, const Text& textOf) {
@@ -144,7 +212,8 @@ std::string listText(const Entries& entries, const Text& textOf) {
 
 SurfaceSetting surfaceFrom(const JsonNode& node) {
   node.allowKeys({"mesh", "camera", "savedCameras", "families", "style", "quantity", "hidden",
-                  "unfiltered", "isophotes", "heights", "fitScale"});
+                  "unfiltered", "isophotes", "heights", "fitScale", "panes", "ink", "swept",
+                  "plane"});
   SurfaceSetting surface;
   surface.mesh = node.at("mesh").text();
   if (surface.mesh.empty()) node.at("mesh").fail("expected a file or solid:NAME");
@@ -174,32 +243,61 @@ SurfaceSetting surfaceFrom(const JsonNode& node) {
   if (const auto count = node.find("isophotes")) surface.isophotes = levels(*count);
   if (const auto count = node.find("heights")) surface.heights = levels(*count);
   if (const auto scale = node.find("fitScale")) surface.fitScale = positive(*scale, 1.0);
+  if (const auto panes = node.find("panes")) {
+    const std::size_t count = panes->listSize("a list of views");
+    if (count > kMostPanes) panes->fail("more than " + std::to_string(kMostPanes) + " views");
+    for (std::size_t i = 0; i < count; ++i) surface.panes.push_back(paneFrom(panes->at(i)));
+  }
+  if (const auto ink = node.find("ink")) {
+    surface.ink = positive(*ink);
+    if (*surface.ink > 1.0) ink->fail("expected a share of at most 1");
+  }
+  if (const auto swept = node.find("swept")) surface.swept = sweptFrom(*swept);
+  if ((surface.mesh == kSweptMesh) != surface.swept.has_value()) {
+    node.fail("\"mesh\": \"swept:\" and \"swept\" belong together");
+  }
+  if (const auto plane = node.find("plane")) surface.plane = planeFrom(*plane);
   return surface;
+}
+
+bool needsVersion4(const SurfaceSetting& surface) {
+  return !surface.panes.empty() || surface.ink || surface.swept || surface.plane;
 }
 
 std::string surfaceText(const SurfaceSetting& surface, const std::string& path) {
   const std::string cameras = pathTo(path, "savedCameras"), families = pathTo(path, "families");
-  return "{\n    \"mesh\": " + quoted(surface.mesh, pathTo(path, "mesh")) +
-         ",\n    \"camera\": " + cameraText(surface.camera, pathTo(path, "camera")) +
-         ",\n    \"savedCameras\": " +
-         listText(surface.savedCameras,
-                  [&](const SavedCamera& saved, std::size_t i) {
-                    const std::string place = pathTo(cameras, i);
-                    return "{\"name\": " + quoted(saved.name, place) +
-                           ", \"camera\": " + cameraText(saved.camera, place) + "}";
-                  }) +
-         ",\n    \"families\": " +
-         listText(surface.families,
-                  [&](const SurfaceFamily& family, std::size_t i) {
-                    return familyText(family, pathTo(families, i));
-                  }) +
-         ",\n    \"style\": " + quoted(surface.style, path) +
-         ",\n    \"quantity\": " + quoted(surface.quantity, path) +
-         ",\n    \"hidden\": " + quoted(surface.hidden, path) +
-         ",\n    \"unfiltered\": " + (surface.unfiltered ? "true" : "false") +
-         ",\n    \"isophotes\": " + std::to_string(surface.isophotes) +
-         ",\n    \"heights\": " + std::to_string(surface.heights) +
-         ",\n    \"fitScale\": " + lengthText(surface.fitScale, path) + "\n  }";
+  std::string text = "{\n    \"mesh\": " + quoted(surface.mesh, pathTo(path, "mesh")) +
+                     ",\n    \"camera\": " + cameraText(surface.camera, pathTo(path, "camera")) +
+                     ",\n    \"savedCameras\": " +
+                     listText(surface.savedCameras,
+                              [&](const SavedCamera& saved, std::size_t i) {
+                                const std::string place = pathTo(cameras, i);
+                                return "{\"name\": " + quoted(saved.name, place) +
+                                       ", \"camera\": " + cameraText(saved.camera, place) + "}";
+                              }) +
+                     ",\n    \"families\": " +
+                     listText(surface.families,
+                              [&](const SurfaceFamily& family, std::size_t i) {
+                                return familyText(family, pathTo(families, i));
+                              }) +
+                     ",\n    \"style\": " + quoted(surface.style, path) +
+                     ",\n    \"quantity\": " + quoted(surface.quantity, path) +
+                     ",\n    \"hidden\": " + quoted(surface.hidden, path) +
+                     ",\n    \"unfiltered\": " + (surface.unfiltered ? "true" : "false") +
+                     ",\n    \"isophotes\": " + std::to_string(surface.isophotes) +
+                     ",\n    \"heights\": " + std::to_string(surface.heights) +
+                     ",\n    \"fitScale\": " + lengthText(surface.fitScale, path);
+  if (!surface.panes.empty()) {
+    const std::string panes = pathTo(path, "panes");
+    text +=
+        ",\n    \"panes\": " + listText(surface.panes, [&](const SurfacePane& pane, std::size_t i) {
+          return paneText(pane, pathTo(panes, i));
+        });
+  }
+  if (surface.ink) text += ",\n    \"ink\": " + finiteText(*surface.ink, path);
+  if (surface.swept) text += ",\n    \"swept\": " + sweptText(*surface.swept, path);
+  if (surface.plane) text += ",\n    \"plane\": " + planeText(*surface.plane, path);
+  return text + "\n  }";
 }
 
 }  // namespace flatland

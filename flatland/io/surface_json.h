@@ -12,6 +12,9 @@ namespace flatland {
 /// InputError. Names of styles, quantities and families are checked by who knows them.
 SurfaceSetting surfaceFrom(const JsonNode& node);
 
+/// True if version 3 cannot hold it: it has further views, ink, a swept surface or a plane.
+bool needsVersion4(const SurfaceSetting& surface);
+
 /// The surface as the value of that key; `path` is its place, for errors. Throws InputError for
 /// what the format cannot hold.
 std::string surfaceText(const SurfaceSetting& surface, const std::string& path);

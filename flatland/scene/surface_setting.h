@@ -42,9 +42,39 @@ struct SurfaceFamily {
   bool operator==(const SurfaceFamily&) const = default;
 };
 
+/// A further view of the surface, beside the first. What it does not say is as in the first.
+struct SurfacePane {
+  std::vector<std::string> families;  ///< names of the families it draws
+  std::string derivative =
+      "closed-form";            ///< of its apparent ridges; "one-ring": as the thesis did
+  std::string shows = "lines";  ///< "difference": where it and the first view disagree
+  std::optional<SurfaceCamera> camera = {};  ///< looks at the first view's lines from elsewhere
+
+  bool operator==(const SurfacePane&) const = default;
+};
+
+/// A surface made of one of the scene's curves, which it follows.
+struct SweptSetting {
+  std::string kind = "extrusion";  ///< or "revolution"
+  std::size_t curve = 0;           ///< index into Scene::curves; a surface of none is not shown
+  double amount = 1.0;  ///< extrusion: height, > 0; revolution: x of the axis; unit of the curve
+  int cells = 64;       ///< along the curve, 3 to 1000
+
+  bool operator==(const SweptSetting&) const = default;
+};
+inline constexpr int kFewestSweptCells = 3, kMostSweptCells = 1000;
+
+/// A plane that cuts the surface, in the coordinates of SurfaceCamera.
+struct SurfacePlane {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< unit
+
+  bool operator==(const SurfacePlane&) const = default;
+};
+
 struct SurfaceSetting {
-  /// A mesh file (in files: relative to the scene's folder; in memory: absolute), or "solid:" and
-  /// the name of a built-in one.
+  /// A mesh file (in files: relative to the scene's folder; in memory: absolute), "solid:" and the
+  /// name of a built-in one, or "swept:" for what `swept` says.
   std::string mesh;
   SurfaceCamera camera;
   std::vector<SavedCamera> savedCameras;
@@ -55,12 +85,20 @@ struct SurfaceSetting {
   bool unfiltered = false;              ///< every crossing of the defining equations
   int isophotes = 10, heights = 20;     ///< how many levels, >= 1
   double fitScale = 1.0;                ///< of the neighbourhoods of the jet fit, >= 1
+  std::vector<SurfacePane> panes;       ///< beside the first view; at most kMostPanes
+  std::optional<double> ink;            ///< share of each view its lines cover, in (0, 1]
+  std::optional<SweptSetting> swept;    ///< there if `mesh` is "swept:"
+  std::optional<SurfacePlane> plane;
 
   bool operator==(const SurfaceSetting&) const = default;
 };
 
+inline constexpr std::size_t kMostPanes = 3;
 inline constexpr char kSolidPrefix[] = "solid:";
+inline constexpr char kSweptMesh[] = "swept:";
 /// True if the reference names a built-in solid, not a file.
 inline bool namesSolid(const std::string& mesh) { return mesh.rfind(kSolidPrefix, 0) == 0; }
+/// True if it names a mesh file.
+inline bool namesFile(const std::string& mesh) { return !namesSolid(mesh) && mesh != kSweptMesh; }
 
 }  // namespace flatland

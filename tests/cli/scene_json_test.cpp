@@ -214,11 +214,11 @@ INSTANTIATE_TEST_SUITE_P(
         // Not a scene.
         BadScene{"list", "[]", "top level", "expected an object, found a list"},
         BadScene{"noVersion", R"({"curves": []})", "top level", "missing \"flatland\": 1"},
-        BadScene{"newer", R"({"flatland": 4, "curves": []})", "flatland",
-                 "version 4 was made by a newer Flatland; this one reads up to version 3"},
-        BadScene{"newerWithNewKeys", R"({"flatland": 4, "shapes": []})", "flatland", "newer"},
+        BadScene{"newer", R"({"flatland": 5, "curves": []})", "flatland",
+                 "version 5 was made by a newer Flatland; this one reads up to version 4"},
+        BadScene{"newerWithNewKeys", R"({"flatland": 5, "shapes": []})", "flatland", "newer"},
         BadScene{"zeroVersion", R"({"flatland": 0, "curves": []})", "flatland",
-                 "expected version 1 to 3, found 0"},
+                 "expected version 1 to 4, found 0"},
         BadScene{"halfVersion", R"({"flatland": 1.5, "curves": []})", "flatland",
                  "expected a whole number, found 1.5"},
         BadScene{"wordVersion", R"({"flatland": "1", "curves": []})", "flatland",
@@ -447,6 +447,27 @@ TEST(SceneJson, ASurfaceSurvives) {
   EXPECT_EQ(read(surface("")).surface->style, SurfaceSetting{}.style);
 }
 
+TEST(SceneJson, FurtherViewsSweptSurfaceAndPlaneSurvive) {
+  Scene scene = read(kSmall);
+  scene.surface = anySurface();
+  SurfacePane elsewhere{{"valleys", "contours"}, "one-ring", "difference", SurfaceCamera{}};
+  elsewhere.camera->zoom = 1.0 / 3.0;
+  scene.surface->panes = {elsewhere, {{"ridges"}}};
+  scene.surface->ink = 0.03;
+  scene.surface->mesh = kSweptMesh;
+  scene.surface->swept = SweptSetting{"revolution", 3, -0.1, 17};
+  scene.surface->plane =
+      SurfacePlane{{0.1, 0.2, 0.3}, Eigen::Vector3d(1.0, -2.0, 3.0).normalized()};
+  const std::string text = sceneToJson(scene);
+  EXPECT_NE(text.find("\"flatland\": 4"), std::string::npos) << text;
+  EXPECT_EQ(read(text), scene) << text;
+  EXPECT_EQ(sceneToJson(read(text)), text);
+
+  const test::TemporaryFolder folder;
+  saveScene(scene, folder.path() / "scene.json");
+  EXPECT_EQ(loadScene(folder.path() / "scene.json"), scene);
+}
+
 TEST(SceneJson, TheMeshGoesWithTheSceneFile) {
   const test::TemporaryFolder folder;
   Scene scene = read(kSmall);
@@ -486,6 +507,18 @@ TEST(SceneJson, SaysWhatIsWrongWithASurface) {
       {surface(R"(, "families": [{"name": "a", "widthPx": 0}])"), "surface.families[0].widthPx",
        "above 0"},
       {surface(R"(, "isophotes": 0)"), "surface.isophotes", "1 to 1000"},
+      {surface(R"(, "ink": 0.1)"), "surface", "came with version 4"},
+      {surface(R"(, "ink": 1.1)"), "surface.ink", "at most 1"},
+      {surface(R"(, "panes": [{}, {}, {}, {}])"), "surface.panes", "more than 3"},
+      {surface(R"(, "plane": {"point": [0, 0, 0], "normal": [0, 0, 0]})"), "surface.plane.normal",
+       "a direction"},
+      {surface(R"(, "swept": {"kind": "extrusion", "amount": 1})"), "surface", "belong together"},
+      {surface(R"(, "swept": {"kind": "loft", "amount": 1})"), "surface.swept.kind",
+       "extrusion or revolution"},
+      {surface(R"(, "swept": {"kind": "extrusion", "amount": 0})"), "surface.swept.amount",
+       "above 0"},
+      {surface(R"(, "swept": {"kind": "extrusion", "amount": 1, "cells": 2})"),
+       "surface.swept.cells", "3 to 1000"},
       {surface(R"(, "fitScale": 0.5)"), "surface.fitScale", "at least 1"},
   };
   for (const auto& one : cases) {

@@ -49,7 +49,7 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
   connect(&export_, &Job::failed, &messages_, &MessageBar::showError);
   connect(&models_.source, &SurfaceSource::opened, this, [this](const QString& reference) {
     messages_.hide();
-    if (namesSolid(reference.toStdString())) return;
+    if (!namesFile(reference.toStdString())) return;
     files_.remember(reference);
     if (settings_) settings_->setValue(kFolderKey, QFileInfo(reference).absolutePath());
   });
@@ -65,7 +65,7 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
 
 QString SurfaceController::folder() const {
   const auto& setting = models_.document.scene().surface;
-  if (setting && !namesSolid(setting->mesh)) {
+  if (setting && namesFile(setting->mesh)) {
     return QFileInfo(QString::fromStdString(setting->mesh)).absolutePath();
   }
   return settings_ ? settings_->value(kFolderKey).toString() : QString();
@@ -88,7 +88,7 @@ void SurfaceController::openSolid(const QString& name) {
 
 bool SurfaceController::hasNeighbours() const {
   const auto& setting = models_.document.scene().surface;
-  return setting && !namesSolid(setting->mesh);
+  return setting && namesFile(setting->mesh);
 }
 
 void SurfaceController::openNeighbour(int step) {

@@ -59,7 +59,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "expected a whole number, found %1"),
     QT_TRANSLATE_NOOP("Core", "expected a degree of at least 1, found %1"),
     QT_TRANSLATE_NOOP("Core", "expected a distance above 0, found %1"),
-    QT_TRANSLATE_NOOP("Core", "expected version 1 or 2, found %1"),
+    QT_TRANSLATE_NOOP("Core", "expected version 1 to 4, found %1"),
     QT_TRANSLATE_NOOP("Core", "expected 2 numbers [x, y], found %1"),
     QT_TRANSLATE_NOOP("Core", "expected 4 numbers, found %1"),
     QT_TRANSLATE_NOOP("Core", "expected a number after the comma, found %1"),

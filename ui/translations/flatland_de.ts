@@ -775,8 +775,8 @@
         <translation>erwartet wird ein Abstand über 0, gefunden: %1</translation>
     </message>
     <message>
-        <source>expected version 1 or 2, found %1</source>
-        <translation>erwartet wird Version 1 oder 2, gefunden: %1</translation>
+        <source>expected version 1 to 4, found %1</source>
+        <translation>erwartet wird Version 1 bis 4, gefunden: %1</translation>
     </message>
     <message>
         <source>expected 2 numbers [x, y], found %1</source>
