@@ -22,7 +22,8 @@ namespace flatland {
 /// they describe. C is in this frame: C(e1, e1, e1) = c111 and so on.
 ///
 /// Degenerate answer: where the normal is unknown (all triangles of the vertex are flat) n, e1, K
-/// and C are 0; where only curvature is unknown, K and C are 0.
+/// and C are 0; where only curvature is unknown, or one of its values beyond the range of float, K
+/// and C are 0.
 struct SurfaceFields {
   std::vector<float> nx, ny, nz;              ///< unit normal
   std::vector<float> e1x, e1y, e1z;           ///< unit tangent, principal direction of k1

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core3d/mesh/crease_angles.h"
+
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif
@@ -25,15 +27,12 @@ using Eigen::Vector3d;
 // rounding of a ray that grazes. See Sight.
 constexpr float kTouching = 2e-4f;
 constexpr float kTouchingNeighbour = 2e-3f;
-// A fold of a smooth surface bends by less than that from facet to facet, even on a coarse mesh;
-// the rim of a bore or of a box by more.
-constexpr double kFoldCosine = 0.34;
+const double kFoldCosine = cosineOfDeg(kFoldDeg);
 // The smooth surface counts as facing away below this n.w: the interpolated normal of a contour
 // point is only nearly across the view.
 constexpr double kFacingAway = -0.1;
-// Where the normals of the vertices turn from the triangle's by more than 30 degrees, the surface
-// is creased and they are means over the crease.
-constexpr double kCreasedCosine = 0.866;
+// Where the normals of the vertices turn from the triangle's by more, they are means over a crease.
+const double kCreasedCosine = cosineOfDeg(kCreaseDeg);
 // Far outside of every mesh, whose coordinates lie in [-1, 1].
 constexpr double kFarOutside = 8.0;
 

@@ -3,8 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core3d/io/convergence_text.h"
-
 namespace flatland {
 
 namespace {

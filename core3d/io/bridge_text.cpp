@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 
-#include "core3d/io/convergence_text.h"
 #include "flatland/io/number_text.h"
 
 namespace flatland {

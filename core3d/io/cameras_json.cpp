@@ -9,6 +9,7 @@
 #include "flatland/io/json_text.h"
 #include "flatland/io/number_text.h"
 #include "flatland/io/read_text.h"
+#include "flatland/view/perspective.h"
 
 namespace flatland {
 
@@ -50,8 +51,9 @@ NamedCamera cameraFrom(const JsonNode& node, const Camera& usual, std::set<std::
     if (!angle->value().is_null()) {
       if (!angle->value().is_number()) angle->failExpected("a number of degrees or null");
       named.camera.perspectiveDeg = angle->number();
-      if (!(*named.camera.perspectiveDeg > 0.0 && *named.camera.perspectiveDeg < 180.0)) {
-        angle->fail("expected an angle between 0 and 180 degrees, found " +
+      if (!isPerspective(*named.camera.perspectiveDeg)) {
+        angle->fail("expected an angle from " + numberText(kLeastPerspectiveDeg) + " to " +
+                    numberText(kMostPerspectiveDeg) + " degrees, found " +
                     numberText(*named.camera.perspectiveDeg));
       }
     }

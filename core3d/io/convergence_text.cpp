@@ -23,14 +23,6 @@ std::string inQuotes(std::string_view name) { return "\"" + std::string(name) + 
 
 }  // namespace
 
-std::string_view nameOf(FieldEstimator estimator) {
-  return estimator == FieldEstimator::JetFit ? "jet" : "one-ring";
-}
-
-std::string_view nameOf(RidgeDerivative derivative) {
-  return derivative == RidgeDerivative::ClosedForm ? "closed-form" : "one-ring";
-}
-
 std::string convergenceTable(const std::vector<ConvergenceSeries>& all) {
   std::string table =
       "estimator derivative   cells      edge  pieces  median/edge  95%/edge   stray  missed\n";

@@ -8,9 +8,6 @@
 
 namespace flatland {
 
-std::string_view nameOf(FieldEstimator estimator);    ///< "jet", "one-ring"
-std::string_view nameOf(RidgeDerivative derivative);  ///< "closed-form", "one-ring"
-
 /// For people: a table in columns, the fitted order below each series.
 std::string convergenceTable(const std::vector<ConvergenceSeries>& all);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core3d/mesh/crease_angles.h"
+
 namespace flatland {
 namespace {
 
@@ -11,6 +13,10 @@ constexpr LineNode kVertexNode = LineNode{1} << 62;
 constexpr LineNode kFreeNode = LineNode{2} << 62;
 
 }  // namespace
+
+std::string_view nameOf(RidgeDerivative derivative) {
+  return derivative == RidgeDerivative::ClosedForm ? "closed-form" : "one-ring";
+}
 
 LineNode edgeNode(const TriangleMesh& mesh, std::uint32_t halfEdge) {
   return mesh.hasOpposite(halfEdge) ? std::min(halfEdge, mesh.opposite[halfEdge]) : halfEdge;
@@ -33,7 +39,7 @@ std::array<double, kLineFamilyCount> LineOptions::defaultThresholds() {
   set(LineFamily::PrincipalHighlights, 1.0);
   set(LineFamily::Parabolic, 0.1);
   set(LineFamily::ZeroMeanCurvature, 0.1);
-  set(LineFamily::Creases, 30.0);
+  set(LineFamily::Creases, kCreaseDeg);
   return thresholds;
 }
 

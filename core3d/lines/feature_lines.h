@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core3d/diff/surface_fields.h"
@@ -41,6 +42,7 @@ enum class RidgeDerivative : std::uint8_t {
   ClosedForm,  ///< feature + offset + perspective from K and C
   OneRing,  ///< difference quotients to the neighbours, as the thesis practised it; for comparison
 };
+std::string_view nameOf(RidgeDerivative derivative);  ///< "closed-form", "one-ring"
 
 /// What is looked for, and how strong it must be. Thresholds are dimensionless: curvatures are
 /// multiplied with SurfaceFields::size. They are compared with LineEnd::strength; a segment stays

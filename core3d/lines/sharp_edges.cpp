@@ -6,19 +6,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "core3d/mesh/crease_angles.h"
+
 namespace flatland {
 namespace {
 
 using Eigen::Vector3f;
 
 constexpr float kRad = std::numbers::pi_v<float> / 180.0f;
-// The default of creases: what is flatter is not called an edge even where it stands alone.
-constexpr float kLeastRad = 30.0f * kRad;
+constexpr float kLeastRad = static_cast<float>(kCreaseDeg) * kRad;
 // Between flat faces from here on (a round of seven sides) a prism is meant as one, below as round.
 constexpr float kPrismRad = 50.0f * kRad;
-// A fold that bends by more is no smooth surface, however coarse (core3d/draw/sight.cpp has the
-// same bound).
-constexpr float kFoldRad = 70.0f * kRad;
+constexpr float kFoldRad = static_cast<float>(kFoldDeg) * kRad;
 // Two triangles of one flat polygon.
 constexpr float kFlatRad = 1.0f * kRad;
 // On a coarse sphere this ratio is near 1, between a flat face and any other large; noise makes

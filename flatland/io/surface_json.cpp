@@ -11,6 +11,7 @@
 #include "flatland/io/input_error.h"
 #include "flatland/io/json_text.h"
 #include "flatland/io/number_text.h"
+#include "flatland/view/perspective.h"
 
 namespace flatland {
 
@@ -58,8 +59,12 @@ SurfaceCamera cameraFrom(const JsonNode& node) {
   if (const auto zoom = node.find("zoom")) camera.zoom = positive(*zoom);
   const auto angle = node.find("perspectiveDeg");
   if (angle && !angle->value().is_null()) {
-    camera.perspectiveDeg = positive(*angle);
-    if (!(*camera.perspectiveDeg < 180.0)) angle->fail("expected an angle below 180 degrees");
+    camera.perspectiveDeg = angle->number();
+    if (!isPerspective(*camera.perspectiveDeg)) {
+      angle->fail("expected an angle from " + numberText(kLeastPerspectiveDeg) + " to " +
+                  numberText(kMostPerspectiveDeg) + " degrees, found " +
+                  numberText(*camera.perspectiveDeg));
+    }
   }
   return camera;
 }

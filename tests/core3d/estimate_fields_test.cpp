@@ -14,6 +14,7 @@
 #include "core3d/diff/exact_fields.h"
 #include "core3d/mesh/build_mesh.h"
 #include "core3d/mesh/grid.h"
+#include "flatland/io/input_error.h"
 #include "tests/support/seed.h"
 
 namespace flatland::test {
@@ -394,6 +395,28 @@ TEST(EstimateFields, SmallAndFlatMeshesAreFinite) {
     EXPECT_EQ(fields.c111[v], 0.0f);
   }
   EXPECT_EQ(without, 1);
+}
+
+TEST(EstimateFields, ScalesThatAreNoneAreRefused) {
+  const TriangleMesh mesh = buildMesh(meshOf({SolidKind::Sphere}, {6}).soup).mesh;
+  const auto refused = [&mesh](FieldEstimator estimator, double scale) {
+    const FieldOptions options = with(estimator, scale);
+    try {
+      estimateFields(mesh, options);
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.reason(), whyNotFields(options));
+      return !error.reason().empty();
+    }
+    EXPECT_EQ(whyNotFields(options), "");
+    return false;
+  };
+  for (const FieldEstimator estimator : kBoth) {
+    for (const double none : {0.0, -1.0, 0.99, HUGE_VAL, std::nan("")})
+      EXPECT_TRUE(refused(estimator, none)) << none;
+  }
+  EXPECT_FALSE(refused(FieldEstimator::OneRing, kMostOneRingScale));
+  EXPECT_TRUE(refused(FieldEstimator::OneRing, kMostOneRingScale * 1.01));
+  EXPECT_FALSE(refused(FieldEstimator::JetFit, kMostOneRingScale * 1.01));
 }
 
 TEST(EstimateFields, ThreadsDoNotMatter) {

@@ -10,7 +10,6 @@
 
 #include "core3d/draw/draughtsman.h"
 #include "core3d/io/cameras_json.h"
-#include "core3d/io/convergence_text.h"
 #include "core3d/io/drawing_json.h"
 #include "core3d/io/named_mesh.h"
 #include "flatland/io/atomic_file.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "core3d/io/named_mesh.h"
-#include "flatland/io/number_text.h"
+#include "flatland/view/perspective.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/suggestion.h"
 
@@ -15,8 +15,6 @@ namespace flatland::ui {
 
 namespace {
 
-// One-ring smooths scale^2 - 1 times: 99 passes.
-constexpr double kMostOneRingScale = 10.0;
 constexpr std::size_t kHelpColumn = 80;  // letters in a line of help
 
 std::optional<double> numberFrom(std::string_view text) {
@@ -101,7 +99,7 @@ void addCamera(CLI::App& command, Camera& camera) {
           "--perspective", [&camera](const double& angle) { camera.perspectiveDeg = angle; },
           "Vertical field of view; without it the view is orthographic")
       ->type_name("DEG")
-      ->check(CLI::Range(0.1, 179.0).description(""));
+      ->check(CLI::Range(kLeastPerspectiveDeg, kMostPerspectiveDeg).description(""));
 }
 
 void addFields(CLI::App& command, FieldOptions& fields) {
@@ -194,9 +192,8 @@ void setUsualLines(LineOptions& lines) {
 }
 
 PreparedMesh preparedMesh(const std::string& mesh, const FieldOptions& fields) {
-  if (fields.estimator == FieldEstimator::OneRing && fields.scale > kMostOneRingScale) {
-    throw UsageError("--scale: " + numberText(fields.scale) +
-                     " is too large for --estimator one-ring; 10 at most");
+  if (const std::string whyNot = whyNotFields(fields); !whyNot.empty()) {
+    throw UsageError("--scale: " + whyNot);
   }
   PreparedMesh prepared;
   const auto start = std::chrono::steady_clock::now();
