@@ -61,7 +61,7 @@ std::string sweepJson(const std::vector<StepDifference>& sweep) {
 }
 
 std::string csvRow(const DerivationRow& row, const StepSides* sides, bool printed) {
-  const DerivationStepText& text = textOf(row.step);
+  const DerivationStepText& text = row.text;
   return std::string(text.id) + "," + (printed ? "printed" : "corrected") + "," +
          wordsFor(row.reading.answer) + "," + (sides ? list(sides->left, " ", true) : "") + "," +
          (sides ? list(sides->right, " ", true) : "") + "," +
@@ -86,7 +86,7 @@ std::vector<DerivationRow> derivationRows(const DerivationPlace& place) {
   std::vector<DerivationRow> rows;
   for (int i = 0; i < kDerivationStepCount; ++i) {
     const auto step = static_cast<DerivationStep>(i);
-    rows.push_back({step, readStep(step, place), stepSizeSweep(step, place)});
+    rows.push_back({textOf(step), readStep(step, place), stepSizeSweep(step, place)});
   }
   return rows;
 }
@@ -99,6 +99,10 @@ std::string wordsFor(StepAnswer answer) {
       return "no tangent";
     case StepAnswer::Silhouette:
       return "silhouette";
+    case StepAnswer::NoNormal:
+      return "no normal";
+    case StepAnswer::NoDirection:
+      return "no direction";
   }
   return {};
 }
@@ -107,7 +111,7 @@ std::string derivationToJson(const std::vector<DerivationRow>& rows) {
   std::string text = "{\n  \"steps\": [\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const DerivationRow& row = rows[i];
-    const DerivationStepText& names = textOf(row.step);
+    const DerivationStepText& names = row.text;
     text += "    {\"id\": " + quoted(names.id) + ", \"title\": " + quoted(names.title) +
             ", \"answer\": " + quoted(wordsFor(row.reading.answer));
     if (row.reading.corrected) {
@@ -132,7 +136,7 @@ std::string derivationToCsv(const std::vector<DerivationRow>& rows) {
   for (const DerivationRow& row : rows) {
     const auto sides = [](const std::optional<StepSides>& s) { return s ? &*s : nullptr; };
     text += csvRow(row, sides(row.reading.corrected), false);
-    if (textOf(row.step).isMisprinted()) text += csvRow(row, sides(row.reading.printed), true);
+    if (row.text.isMisprinted()) text += csvRow(row, sides(row.reading.printed), true);
   }
   return text;
 }
@@ -140,7 +144,7 @@ std::string derivationToCsv(const std::vector<DerivationRow>& rows) {
 std::string derivationToText(const std::vector<DerivationRow>& rows) {
   std::string text;
   for (const DerivationRow& row : rows) {
-    const DerivationStepText& names = textOf(row.step);
+    const DerivationStepText& names = row.text;
     text += "(" + std::string(names.id) + ") " + std::string(names.title) + "\n";
     if (row.reading.answer != StepAnswer::Evaluated) {
       text += "  no answer:  " + wordsFor(row.reading.answer) + "\n";

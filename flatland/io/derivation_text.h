@@ -10,7 +10,7 @@ namespace flatland {
 
 /// A step as it stands at a place, for a file or a terminal.
 struct DerivationRow {
-  DerivationStep step;
+  DerivationStepText text;
   StepReading reading;
   std::vector<StepDifference> sweep;
 };
@@ -18,7 +18,7 @@ struct DerivationRow {
 /// All steps at a place, in order.
 std::vector<DerivationRow> derivationRows(const DerivationPlace& place);
 
-/// The answer in words: "evaluated", "no tangent", "silhouette", "no principal direction".
+/// The answer in words: "evaluated", "no tangent", "silhouette", "no normal", "no direction".
 std::string wordsFor(StepAnswer answer);
 
 /// One object per step with both variants and the step-size sweep. Numbers read back exactly.

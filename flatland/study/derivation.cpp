@@ -84,10 +84,7 @@ std::optional<DerivationStep> derivationStepNamed(std::string_view id) {
 StepReading readStep(DerivationStep step, const DerivationPlace& place) {
   const Evaluation found = onSheet(step) ? derivation::evaluateSheet(step, place)
                                          : derivation::evaluatePlane(step, place);
-  StepReading reading{found.answer, std::nullopt, std::nullopt};
-  if (found.corrected) reading.corrected = sidesFrom(*found.corrected);
-  if (found.printed) reading.printed = sidesFrom(*found.printed);
-  return reading;
+  return derivation::readingFrom(found);
 }
 
 std::vector<StepDifference> stepSizeSweep(DerivationStep step, const DerivationPlace& place) {
@@ -95,6 +92,13 @@ std::vector<StepDifference> stepSizeSweep(DerivationStep step, const DerivationP
 }
 
 namespace derivation {
+
+StepReading readingFrom(const Evaluation& found) {
+  StepReading reading{found.answer, std::nullopt, std::nullopt};
+  if (found.corrected) reading.corrected = sidesFrom(*found.corrected);
+  if (found.printed) reading.printed = sidesFrom(*found.printed);
+  return reading;
+}
 
 LocalPlace localPlace(const DerivationPlace& place) {
   const int pieces = pieceCount(place.curve);

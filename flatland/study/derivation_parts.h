@@ -23,6 +23,9 @@ struct Evaluation {
   std::optional<SizedSides> corrected, printed;
 };
 
+/// What a person gets of it.
+StepReading readingFrom(const Evaluation& found);
+
 /// Left and right of a variant as difference quotients for step `h` see it: its left side anew.
 struct Quotient {
   std::vector<double> corrected, printed;

@@ -49,6 +49,8 @@ QString whyNot(StepAnswer answer) {
           "A silhouette: n·j = 0. Nothing can be differentiated by the screen coordinate here; λ "
           "has "
           "no finite value.");
+    case StepAnswer::NoNormal:
+    case StepAnswer::NoDirection:  // of a surface
     case StepAnswer::Evaluated:
       break;
   }
