@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <iostream>
 #include <map>
 #include <numbers>
 
@@ -137,12 +138,17 @@ TEST(TriangleLesson, TellsOfACubeThatItIsCreased) {
 class TriangleLessonOfAMesh : public ExampleMeshes {};
 
 TEST_F(TriangleLessonOfAMesh, DecidesAsTheWalk) {
-  const TriangleMesh mesh =
-      loadNamedMesh((dataFolder() / "meshes" / "spot_quads.obj").string()).mesh;
-  const SurfaceFields fields = estimateFields(mesh, {});
-  const Tally tally = compare(mesh, fields, viewFrom({0.45, 0.3, 1.0}), 2.0, 23);
-  EXPECT_GT(tally.drawn, 100);
-  EXPECT_LT(tally.byNeighbour, tally.drawn / 10);
+  for (const char* name : {"hand.obj", "demosthenes_bust.obj"}) {
+    SCOPED_TRACE(name);
+    const TriangleMesh mesh = loadNamedMesh((dataFolder() / "meshes" / name).string()).mesh;
+    const SurfaceFields fields = estimateFields(mesh, {});
+    const Tally tally = compare(mesh, fields, viewFrom({0.45, 0.3, 1.0}), 4.0, 53);
+    EXPECT_GT(tally.drawn, 100);
+    // Weak lines on a scan: noise parts neighbours.
+    EXPECT_LT(tally.byNeighbour, tally.drawn / 2);
+    std::cout << name << ": " << tally.drawn << " drawn, " << tally.byNeighbour
+              << " after their neighbour\n";
+  }
 }
 
 TEST(TriangleLesson, LambdaGrowsAlongTheFlippedDirections) {
