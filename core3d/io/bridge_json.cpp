@@ -93,6 +93,8 @@ std::string bridgeJson(const BridgeTrials& trials, const BridgeTrialOptions& opt
     ordered_json points = ordered_json::array();
     for (const Vec2& p : controlPoints(trial.surface.curve)) points.push_back({p.x(), p.y()});
     ordered_json one = rowJson(trial.row);
+    one["ahead"] = {{"limit", nameOf(trial.ahead.limit)}, {"coarser", trial.ahead.coarser}};
+    one["gentlestEdges"] = trial.gentlestEdges;
     one["towards"] = vectorJson(trial.towards);
     one["points"] = std::move(points);
     root["trials"].push_back(std::move(one));

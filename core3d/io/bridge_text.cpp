@@ -109,8 +109,19 @@ std::string bridgeTable(const BridgeTrials& trials, const BridgeTrialOptions& op
       std::string(nameOf(options.derivative)) + " derivative\n";
   const std::size_t held = trials.linesBy[0];
   table +=
-      printed("median distance %.4g edges, back %.4g; below 0.1 on %zu of %zu curves\n",
+      printed("median distance %.4g edges, back %.4g; below 0.1 on %zu of %zu curves, not on\n",
               trials.medianEdges, trials.backMedianEdges, trials.belowTenth, trials.trials.size());
+  for (std::size_t i = 0; i < trials.trials.size(); ++i) {
+    const BridgeTrial& trial = trials.trials[i];
+    if (trial.row.ridges.medianEdges < BridgeTrials::kNearEdges) continue;
+    table += printed("%8zu  %.4g edges, %.4g covered", i, trial.row.ridges.medianEdges,
+                     trial.row.ridges.coverage);
+    table += trial.ahead.limit == BridgeLimit::None
+                 ? printed("; no limit is near, the gentlest bend's radius is %.3g edges\n",
+                           trial.gentlestEdges)
+                 : printed("; at edges %.2g times as long ", trial.ahead.coarser) +
+                       std::string(nameOf(trial.ahead.limit)) + "\n";
+  }
   table += printed("%zu lines that have to be there, %.4g of their length covered\n", held,
                    trials.coverage);
   table += printed(

@@ -74,6 +74,9 @@ Segments findZeroMeanCurvature(const TriangleMesh& mesh, const SurfaceFields& fi
 /// Edges whose triangles turn by more than 0 and at least so much.
 Segments findCreases(const TriangleMesh& mesh, double leastDeg);
 Segments findBoundaries(const TriangleMesh& mesh);
+/// Where triangles that share no vertex pass through each other's planes by more than rounding. Not
+/// found: a sheet that is pierced exactly along a chain of mesh edges, each of whose triangles lies
+/// on one side.
 Segments findSelfIntersections(const TriangleMesh& mesh);
 /// The sharp edges, convex or concave.
 Segments findSharpEdges(const TriangleMesh& mesh, const SharpEdges& sharp, bool convex);

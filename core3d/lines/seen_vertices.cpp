@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core3d/lines/seen_vertices.h"
 
@@ -82,7 +83,11 @@ HWY_INLINE void seeVector(D d, const Call& call, std::size_t i) {
     const V k1 = load(f.k1), k2 = load(f.k2);
     const V p1 = hn::Mul(k1, w1), p2 = hn::Mul(k2, w2);  // K w_T
     if constexpr (kRadial) {
-      const V radial = hn::MulAdd(p1, w1, hn::Mul(p2, w2));
+      // Where both curvatures are positive it is 0 only by rounding or exactly head on. It counts
+      // as positive there, as it does for clusters that are passed over for being convex.
+      const V computed = hn::MulAdd(p1, w1, hn::Mul(p2, w2));
+      const V least = hn::Set(d, std::numeric_limits<float>::min());
+      const V radial = hn::IfThenElse(hn::Gt(k2, zero), hn::Max(computed, least), computed);
       store(radial, out.radial);
       flags = hn::Or(flags, bit(hn::Gt(radial, zero), VertexFlag::kRadial));
     }

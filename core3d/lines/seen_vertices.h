@@ -21,7 +21,7 @@ struct VertexFlag {
   static constexpr std::uint8_t kOctant = 1 | 2 | 4;
   static constexpr std::uint8_t kStrong = 8;     ///< sqrt(lambda) reaches the asked bound
   static constexpr std::uint8_t kFront = 16;     ///< n.w > 0
-  static constexpr std::uint8_t kRadial = 32;    ///< K(w_T, w_T) > 0
+  static constexpr std::uint8_t kRadial = 32;    ///< radial > 0
   static constexpr std::uint8_t kKnown = 64;     ///< the normal is not 0
   static constexpr std::uint8_t kSkipped = 128;  ///< culled: nothing but flags is written
 };
@@ -49,7 +49,7 @@ struct VertexNeeds {
 struct SeenVertices {
   std::vector<float> nw;
   std::vector<float> root, slope, rx, ry, rz;
-  std::vector<float> radial;  ///< K(w_T, w_T)
+  std::vector<float> radial;  ///< K(w_T, w_T); above 0 wherever k2 is, also head on
   std::vector<std::uint8_t> flags;
 
   /// Makes room for what is needed; keeps the memory of the last view.

@@ -41,7 +41,7 @@ struct SplitTriangle {
 /// Degenerate answers: a triangle without area has no normal, and none of its edges is sharp.
 class SharpEdges {
  public:
-  /// One pass over the edges, about 10 ns each, and one over the vertices of sharp ones.
+  /// One pass over the edges and one over the vertices of sharp ones.
   SharpEdges(const TriangleMesh& mesh, const SurfaceFields& fields);
 
   std::span<const SharpEdge> edges() const { return edges_; }

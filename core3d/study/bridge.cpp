@@ -170,10 +170,27 @@ BridgeTrial drawnTrial(std::mt19937_64& engine) {
                        BSpline::uniformKnots(kRandomDegree, false, points.size()));
   BridgeTrial trial{{spline, SweptSurface::Kind::Extrusion, kTrialHeight},
                     {out * std::cos(turn), out * std::sin(turn), up},
-                    {}};
+                    {},
+                    {},
+                    0.0};
   trial.surface =
       turnedLike({trial.surface.curve}, trial.surface, {.towards = trial.towards, .eye = {}});
   return trial;
+}
+
+/// Why a trial may be further away than others.
+void addCauses(const BridgePrediction& prediction, BridgeTrial& trial) {
+  const BridgeScale scale{trial.row.edge, trial.row.size};
+  LimitAhead& nearest = trial.ahead;
+  for (const PredictedLine& line : prediction.lines()) {
+    if (line.kind != MarkKind::ApparentRidge) continue;
+    const LimitAhead ahead = prediction.limitAhead(line, scale);
+    if (ahead.coarser == 1.0) continue;  // not held
+    const double k = frameOf(jetAt(trial.surface.curve, line.t)).k;
+    trial.gentlestEdges = std::max(trial.gentlestEdges, 1.0 / (std::abs(k) * scale.edge));
+    if (ahead.limit == BridgeLimit::None) continue;
+    if (nearest.limit == BridgeLimit::None || ahead.coarser < nearest.coarser) nearest = ahead;
+  }
 }
 
 double medianOf(std::vector<double> values) {
@@ -189,6 +206,7 @@ BridgeRow compareLines(const BridgePrediction& prediction, const SweptMesh& swep
                        const TriangleMesh& mesh, double size, const FeatureLines& found) {
   BridgeRow row;
   row.edge = meanEdge(mesh);
+  row.size = size;
   const BridgeScale scale{row.edge, size};
   row.ridges = agreementOf(MarkKind::ApparentRidge, prediction, swept, mesh, scale,
                            found.of(LineFamily::ApparentRidges));
@@ -289,10 +307,11 @@ BridgeTrials measureRandomBridges(const BridgeTrialOptions& options) {
     for (std::size_t k = 0; k < kBridgeLimitCount; ++k) result.linesBy[k] += linesBy[k];
     const LineAgreement& ridges = trial.row.ridges;
     if (ridges.lines == 0) continue;
+    addCauses(prediction, trial);
     const double median = ridges.medianEdges;
     medians.push_back(std::isfinite(median) ? median : std::numeric_limits<double>::infinity());
     backs.push_back(ridges.backMedianEdges);
-    if (median < 0.1) ++result.belowTenth;
+    if (median < BridgeTrials::kNearEdges) ++result.belowTenth;
     covered += ridges.coverage * static_cast<double>(ridges.lines);
     result.trials.push_back(std::move(trial));
     if (options.progress) {

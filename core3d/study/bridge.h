@@ -40,6 +40,7 @@ struct LineAgreement {
 struct BridgeRow {
   int cells = 0;
   double edge = 0.0;  ///< mean length of an edge, in the curve's unit
+  double size = 0.0;  ///< SurfaceFields::size, in the curve's unit
   LineAgreement ridges, contours;
 };
 
@@ -95,9 +96,14 @@ struct BridgeTrial {
   SweptSurface surface;
   Eigen::Vector3d towards;
   BridgeRow row;
+  LimitAhead ahead;  ///< the nearest of its lines that are held
+  /// Of these lines the largest radius of curvature, in edges: where it is large the line's place
+  /// is hardly decided, and the curve runs fast, so that cells are longer than elsewhere.
+  double gentlestEdges = 0.0;
 };
 
 struct BridgeTrials {
+  static constexpr double kNearEdges = 0.1;  ///< a trial whose median is below counts as near
   std::vector<BridgeTrial> trials;
   std::size_t drawn = 0;  ///< curves, also those without a line that has to be there
   /// Medians over the trials of their medianEdges and backMedianEdges. A trial where nothing was

@@ -261,6 +261,15 @@ BridgeLimit BridgePrediction::limitOf(const PredictedLine& line, const BridgeSca
   return scale.size > 0.0 && isSlight(line, scale.size) ? BridgeLimit::Slight : BridgeLimit::None;
 }
 
+LimitAhead BridgePrediction::limitAhead(const PredictedLine& line, const BridgeScale& scale) const {
+  constexpr double kMostCoarser = 8.0, kStep = 1.1;
+  for (double coarser = 1.0; coarser <= kMostCoarser; coarser *= kStep) {
+    const BridgeLimit limit = limitOf(line, {coarser * scale.edge, scale.size});
+    if (limit != BridgeLimit::None) return {limit, coarser};
+  }
+  return {};
+}
+
 bool BridgePrediction::isNearLid(const Eigen::Vector3d& p, const BridgeScale& scale) const {
   return surface_.kind == SweptSurface::Kind::Extrusion &&
          0.5 * surface_.amount - std::abs(p.z()) <= kNearEdges * scale.edge;

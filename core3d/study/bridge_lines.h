@@ -31,8 +31,9 @@ struct SweptSurface {
 /// view.
 SweptSurface turnedLike(const SceneCurve& curve, SweptSurface surface, const SurfaceView& view);
 
-/// A mesh of it: `cells` (at least) along the curve, and across as many as make cells nearly
-/// square.
+/// A mesh of it: `cells` (at least) along the curve, even in t, and across as many as make cells
+/// square where the curve runs with its mean speed. Polynomial curves slow down in their bends, so
+/// even steps of t resolve these better than even lengths.
 SweptMesh sweptMesh(const SweptSurface& surface, int cells);
 
 /// From where flatland has to look at the curve so that its marks are those of the surface: for an
@@ -68,6 +69,12 @@ struct BridgeScale {
   double size = 0.0;  ///< SurfaceFields::size in the unit of the curve
 };
 
+/// What would keep a line from being expected on a coarser mesh.
+struct LimitAhead {
+  BridgeLimit limit = BridgeLimit::None;  ///< the first; None: none up to 8 times coarser
+  double coarser = 0.0;                   ///< how many times coarser, 1: on this mesh; 0: none
+};
+
 /// A line predicted by a mark of the curve.
 struct PredictedLine {
   MarkKind kind;                        ///< ApparentRidge or Silhouette
@@ -91,6 +98,9 @@ class BridgePrediction {
   const std::vector<PredictedLine>& lines() const { return lines_; }
 
   BridgeLimit limitOf(const PredictedLine& line, const BridgeScale& scale) const;
+  /// How far a line is from its next limit. Margin for what is measured of it: distances grow where
+  /// a limit is near. Found to a tenth.
+  LimitAhead limitAhead(const PredictedLine& line, const BridgeScale& scale) const;
   /// That of a place of the surface, over t of the curve, for a line of that kind; never Slight.
   /// Precondition: there is a flat view.
   BridgeLimit limitAt(MarkKind kind, double t, const BridgeScale& scale) const;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -306,7 +307,7 @@ TEST(LinesCommand, TurntableAboutTheUsualViewLooksAcrossIt) {
     return most;
   };
   // Half axes 1 and 0.8 across z: from -y the first is seen, a quarter on the second.
-  EXPECT_NEAR(width("e-1.json") / width("e-2.json"), 1.0 / 0.8, 0.01);
+  EXPECT_NEAR(width("e-01.json") / width("e-02.json"), 1.0 / 0.8, 0.01);
   // So is a single picture.
   ASSERT_EQ(
       run({"lines", "solid:ellipsoid:20", "-o", "s.json", "--up", "0,0,1"}, folder.path()).exitCode,
@@ -345,7 +346,7 @@ TEST(LinesCommand, CamerasGiveTheirNamesToTheFiles) {
       run({"lines", kTorus, "-o", "t.svg", "--cameras", "cameras.json"}, folder.path());
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_TRUE(fs::exists(folder.path() / "t-front.svg"));
-  EXPECT_TRUE(fs::exists(folder.path() / "t-2.svg"));
+  EXPECT_TRUE(fs::exists(folder.path() / "t-02.svg"));
   EXPECT_EQ(folder.count(), 3u);
 }
 
@@ -357,7 +358,7 @@ TEST(LinesCommand, ZoomCostsNoMoreThanThePicture) {
                                     "near.json", "--hidden", "show"},
                                    folder.path());
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  const json drawing = json::parse(contentsOf(folder.path() / "t-1.json"));
+  const json drawing = json::parse(contentsOf(folder.path() / "t-01.json"));
   for (const json& line : drawing["polylines"]) {
     for (const json& s : line["screen"]) {
       EXPECT_NEAR(s[0].get<double>(), 400.0, 901.0);
@@ -402,7 +403,7 @@ TEST(LinesCommand, BadInputIsTold) {
       << R"({"flatland": 1, "cameras": [{"veiw": [1, 0, 0]}]})";
   std::ofstream(folder.path() / "zoom.json") << R"({"flatland": 1, "cameras": [{"zoom": 1e9}]})";
   std::ofstream(folder.path() / "twice.json")
-      << R"({"flatland": 1, "cameras": [{"name": "2"}, {}]})";
+      << R"({"flatland": 1, "cameras": [{"name": "02"}, {}]})";
   struct Case {
     std::vector<std::string> arguments;
     const char* message;
@@ -419,7 +420,7 @@ TEST(LinesCommand, BadInputIsTold) {
       {{"lines", kTorus, "-o", "a.svg", "--cameras", "zoom.json"},
        "zoom.json: cameras[0].zoom: expected a zoom above 0, at most 1000, found 1e+09"},
       {{"lines", kTorus, "-o", "a.svg", "--cameras", "twice.json"},
-       "twice.json: cameras[1]: its picture would be a-2.svg, as that of cameras[0]"},
+       "twice.json: cameras[1]: its picture would be a-02.svg, as that of cameras[0]"},
       {{"fields", "none.obj", "-o", "a.ply"}, "none.obj"},
   };
   for (const Case& bad : cases) {
@@ -443,7 +444,20 @@ TEST(LinesCommand, BadUsageIsToldWithTheValidNames) {
        "did you mean apparent-ridges? There are exterior-silhouette, contours"},
       {{"lines", kTorus, "-o", "a.svg", "--threshold", "rigdes=1"}, "did you mean ridges?"},
       {{"lines", kTorus, "-o", "a.svg", "--threshold", "ridges"}, "FAMILY=VALUE"},
-      {{"lines", kTorus, "-o", "a.svg", "--threshold", "ridges=-1"}, "from 0 up"},
+      {{"lines", kTorus, "-o", "a.svg", "--threshold", "apparent-ridges=-1"}, "from 0 up"},
+      {{"lines", kTorus, "-o", "a.svg", "--threshold", "ridges=1"},
+       "--threshold: ridges are not among the lines drawn"},
+      {{"lines", kTorus, "-o", "a.svg", "--threshold", "contours=1"},
+       "no threshold of contours; there are suggestive-contours"},
+      {{"lines", kTorus, "-o", "a.svg", "--isophotes", "5"}, "isophotes are not among the lines"},
+      {{"lines", kTorus, "-o", "a.svg", "--topographic-up", "0,0,1"},
+       "topographic are not among the lines"},
+      {{"lines", kTorus, "-o", "-"}, "the format is told by a file's name"},
+      {{"lines", "-", "-o", "a.svg"}, "a mesh is read from a file"},
+      {{"lines", kTorus, "-o", "a.svg", "--hiden", "dash"}, "did you mean '--hidden'?"},
+      {{"fields", kTorus, "-o", "a.ply", "--estimater=jet"}, "did you mean '--estimator'?"},
+      {{"study", "offset", "--sede", "1"},
+       "(see flatland study offset --help); did you mean '--seed'?"},
       {{"lines", kTorus, "-o", "a.svg", "--view", "0,0,0"}, "expected a direction"},
       {{"lines", kTorus, "-o", "a.svg", "--view", "1,2"}, "expected a direction"},
       {{"lines", kTorus, "-o", "a.svg", "--hidden", "dashed"}, "did you mean dash?"},
@@ -461,6 +475,23 @@ TEST(LinesCommand, BadUsageIsToldWithTheValidNames) {
     const ProgramResult result = run(bad.arguments);
     EXPECT_EQ(result.exitCode, 2) << result.err;
     EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
+  }
+}
+
+TEST(LinesCommand, InkThatCannotBeReachedIsToldWithPictureAndNumbers) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run({"lines", "solid:sphere:20", "-o", "s.json", "--ink", "0.5", "--turntable", "2"},
+          folder.path());
+  EXPECT_EQ(result.exitCode, 0);
+  for (const char* file : {"s-01.json", "s-02.json"}) {
+    const json stats = json::parse(contentsOf(folder.path() / file))["stats"];
+    EXPECT_EQ(stats["inkReached"], false);
+    std::array<char, 160> line{};
+    std::snprintf(line.data(), line.size(),
+                  "flatland: %s: no thresholds give ink of 0.5; %.4g is as near as it gets\n", file,
+                  stats["ink"].get<double>());
+    EXPECT_NE(result.err.find(line.data()), std::string::npos) << result.err << line.data();
   }
 }
 

@@ -117,6 +117,14 @@ TEST(BridgePrediction, NamesWhatCannotHold) {
   EXPECT_EQ(above.limitOf(crest, {}), BridgeLimit::None);
   EXPECT_EQ(above.limitOf(crest, {.edge = 0.2, .size = 0.0}), BridgeLimit::SilhouetteNear);
   EXPECT_EQ(above.limitOf(crest, {.edge = 0.5, .size = 0.0}), BridgeLimit::End);
+  // On edges of 0.1 the silhouettes are too near from 1.25 times as long ones on.
+  const LimitAhead ahead = above.limitAhead(crest, {.edge = 0.1, .size = 0.0});
+  EXPECT_EQ(ahead.limit, BridgeLimit::SilhouetteNear);
+  EXPECT_GE(ahead.coarser, 1.25);
+  EXPECT_LE(ahead.coarser, 1.25 * 1.1);
+  EXPECT_EQ(above.limitAhead(crest, {.edge = 0.2, .size = 0.0}).coarser, 1.0);
+  EXPECT_EQ(above.limitAhead(crest, {.edge = 0.01, .size = 0.0}).limit, BridgeLimit::None);
+  EXPECT_EQ(above.limitAhead(crest, {.edge = 0.01, .size = 0.0}).coarser, 0.0);
   const BridgePrediction below = predicted(parabola, 2, {0, -1, 0.3});
   ASSERT_EQ(below.lines().size(), 1u);
   EXPECT_EQ(below.limitOf(below.lines()[0], {}), BridgeLimit::FacesAway);
@@ -171,6 +179,13 @@ void expectNear(const BridgeTrials& trials, int count) {
   std::size_t lines = 0;
   for (const BridgeTrial& trial : trials.trials) lines += trial.row.ridges.lines;
   EXPECT_EQ(lines, trials.linesBy[0]);
+  // Every one that is not near has its cause: a limit close by, or a bend that is hardly one.
+  constexpr double kGentleEdges = 40.0;
+  for (const BridgeTrial& trial : trials.trials) {
+    if (trial.row.ridges.medianEdges < BridgeTrials::kNearEdges) continue;
+    EXPECT_TRUE(trial.ahead.limit != BridgeLimit::None || trial.gentlestEdges > kGentleEdges);
+    EXPECT_NE(trial.ahead.coarser, 1.0);
+  }
   EXPECT_GT(trials.linesBy[static_cast<std::size_t>(BridgeLimit::SilhouetteNear)], 0u);
 }
 

@@ -210,6 +210,28 @@ TEST(SeenVertices, DegenerateVerticesHaveStatedAnswers) {
   expectAsReference(cloud, straight, out, 2);
 }
 
+// Head on, radial curvature is 0 whatever the surface: it takes the sign of the curvatures, so that
+// a convex vertex and the convex clusters beside it, which are passed over, do not differ.
+TEST(SeenVertices, RadialCurvatureHeadOnIsPositiveOnAConvexSurface) {
+  Cloud cloud;
+  for (const auto& [k1, k2] : {std::pair(2.0, 1.0), {1.0, -1.0}, {-1.0, -2.0}, {1.0, 0.0}}) {
+    SurfacePoint point;
+    point.p.setZero();
+    point.n = Eigen::Vector3d::UnitZ();
+    point.frame << 1, 0, 0, 1, 0, 0;
+    point.K << k1, 0.0, 0.0, k2;
+    point.C.coefficients = {1, 1, 1, 1};
+    add(cloud, point.p, point);
+  }
+  const SeenVertices out = seen(cloud, {.towards = Eigen::Vector3d::UnitZ(), .eye = {}});
+  EXPECT_GT(out.radial[0], 0.0f);
+  EXPECT_LT(out.radial[0], 1e-30f);
+  for (const std::uint32_t v : {1u, 2u, 3u}) EXPECT_EQ(out.radial[v], 0.0f);
+  for (const std::uint32_t v : {0u, 1u, 2u, 3u}) {
+    EXPECT_EQ((out.flags[v] & VertexFlag::kRadial) != 0, out.radial[v] > 0.0f) << v;
+  }
+}
+
 TEST(SeenVertices, StrongMeansThatTheBoundIsReached) {
   Random random(announcedSeed("strong", 43));
   Cloud cloud;

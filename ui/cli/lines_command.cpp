@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -66,6 +67,7 @@ std::string wordOf(Value value, const Words<Value>& words) {
 bool isJson(const std::string& file) { return extensionOf(file) == ".json"; }
 
 std::string whyNotOutput(const std::string& file) {
+  if (file == "-") return "the format is told by a file's name, which standard output has not";
   if (isPicture(file) || isJson(file)) return {};
   return "the name " + file + " should end in .svg, .pdf, .png, .tex or .json";
 }
@@ -84,10 +86,11 @@ std::string withPart(const std::string& file, const std::string& part) {
       .string();
 }
 
-/// "007" where there are hundreds.
+/// "007" where there are hundreds; two digits at least.
 std::string numbered(std::size_t number, std::size_t count) {
+  const std::size_t digits = std::max<std::size_t>(std::to_string(count).size(), 2);
   const std::string text = std::to_string(number);
-  return std::string(std::to_string(count).size() - text.size(), '0') + text;
+  return std::string(digits - text.size(), '0') + text;
 }
 
 std::vector<View> viewsOf(const Options& options) {
@@ -179,6 +182,12 @@ void write(const Options& options, const View& view, const Drawing& drawing,
                options.dpi);
 }
 
+void tellInk(const std::string& file, double reached, double asked) {
+  // Four digits are more than the tolerance within which ink counts as reached.
+  std::fprintf(stderr, "flatland: %s: no thresholds give ink of %.4g; %.4g is as near as it gets\n",
+               file.c_str(), asked, reached);
+}
+
 int run(const Options& given) {
   Options options = given;
   if (options.turntable > 0 && !options.cameras.empty()) {
@@ -211,23 +220,16 @@ int run(const Options& given) {
   Draughtsman draughtsman(mesh, prepared.fields);
   std::vector<PictureStats> pictures;
   Progress progress;
-  bool inkReached = true;
   for (const View& view : views) {
     const Projection projection = projectionOf(view.camera, mesh, view.fitBall);
     const Drawing drawing = draughtsman.draw(projection, options.lines, options.strokes);
-    inkReached = inkReached && drawing.stats.inkReached;
+    if (!drawing.stats.inkReached) tellInk(view.file, drawing.stats.ink, *options.strokes.ink);
     const auto start = std::chrono::steady_clock::now();
     write(options, view, drawing, mesh);
     pictures.push_back({std::filesystem::path(view.file).filename().string(), drawing.stats,
                         drawing.polylines.size(), millisecondsSince(start)});
     progress.say(std::to_string(pictures.size()) + " of " + std::to_string(views.size()) +
                  " views");
-  }
-  if (!inkReached) {
-    std::fputs(
-        "flatland: no thresholds bring the drawing to the ink asked for; it is as near as it "
-        "gets\n",
-        stderr);
   }
   if (options.stats)
     writeToStandardOutput(statsOfRun(options.mesh, prepared, draughtsman.preparation(), pictures));
@@ -344,6 +346,7 @@ void addLinesCommand(CLI::App& app, Action& action, const std::string& commandLi
       "  flatland lines boot.obj -o boot.svg --turntable 36 --perspective 30\n");
   command.final_callback([options, &command, &action] {
     options->viewGiven = command.count("--view") > 0;
+    refuseIdleOptions(command, options->lines);
     action = [options] { return run(*options); };
   });
 }

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
-#include <vector>
+#include <memory>
 
 #include "flatland/io/input_error.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/help_text.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
-#include "ui/cli/suggestion.h"
 
 namespace {
 
@@ -23,25 +21,9 @@ int report(std::string message, ExitCode code) {
   return code;
 }
 
-/// What a first word that is nearly a subcommand was meant to be, as an end of the message; empty
-/// if there is none, or the word names a file.
-std::string likelyMeaning(const CLI::App& app, int argc, char** argv) {
-  constexpr std::size_t kMostEdits = 2;
-  if (argc < 2) return {};
-  const std::string word = argv[1];
-  std::error_code ignored;
-  if (word.size() <= kMostEdits || std::filesystem::exists(word, ignored)) return {};
-  std::string nearest;
-  std::size_t least = kMostEdits + 1;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    const std::size_t edits = changesBetween(word, command->get_name());
-    if (edits < least) least = edits, nearest = command->get_name();
-  }
-  return nearest.empty() || least == 0 ? "" : "; did you mean '" + nearest + "'?";
-}
-
 void describe(CLI::App& app) {
   app.name("flatland");
+  app.formatter(std::make_shared<WrappedHelp>());  // of the subcommands too
   app.set_version_flag("--version", "flatland " FLATLAND_VERSION);
   app.footer(
       "Examples:\n"
@@ -88,7 +70,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help or version
     std::string help = "flatland";
-    for (const CLI::App* command : app.get_subcommands()) help += " " + command->get_name();
+    for (const CLI::App* command = &app; !command->get_subcommands().empty();) {
+      command = command->get_subcommands().back();
+      help += " " + command->get_name();
+    }
     return report(
         std::string(error.what()) + " (see " + help + " --help)" + likelyMeaning(app, argc, argv),
         kBadUsage);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cli/mesh_options.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -14,8 +15,6 @@
 namespace flatland::ui {
 
 namespace {
-
-constexpr std::size_t kHelpColumn = 80;  // letters in a line of help
 
 std::optional<double> numberFrom(std::string_view text) {
   double value = 0.0;
@@ -46,12 +45,27 @@ std::vector<std::string> familyNames() {
   return names;
 }
 
-/// "ridges=0.5"; why it is no threshold, or empty.
+std::vector<std::string> namesWithThreshold() {
+  const std::array<double, kLineFamilyCount> usual = LineOptions::defaultThresholds();
+  std::vector<std::string> names;
+  for (const LineFamily family : allLineFamilies()) {
+    if (usual[static_cast<std::size_t>(family)] > 0.0) names.emplace_back(nameOf(family));
+  }
+  return names;
+}
+
+/// "ridges" of "ridges=0.5".
+std::string familyOfThreshold(const std::string& text) { return text.substr(0, text.find('=')); }
+
+/// Why "ridges=0.5" is no threshold, or empty.
 std::string whyNotThreshold(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return "expected FAMILY=VALUE, found " + text;
-  const std::string why = whyNotNamed("line family", text.substr(0, equals), familyNames());
+  const std::string name = familyOfThreshold(text);
+  const std::string why = whyNotNamed("line family", name, familyNames());
   if (!why.empty()) return why;
+  const std::string whyNone = whyNotNamed("threshold of", name, namesWithThreshold());
+  if (!whyNone.empty()) return whyNone;
   const std::optional<double> value = numberFrom(std::string_view(text).substr(equals + 1));
   if (!value || *value < 0.0) return "expected a number from 0 up after = in " + text;
   return {};
@@ -87,7 +101,15 @@ void addDirection(CLI::App& command, const std::string& name, Eigen::Vector3d& d
 }
 
 void addMesh(CLI::App& command, std::string& mesh) {
-  command.add_option("mesh", mesh, kMeshHelp)->required()->type_name("MESH");
+  command.add_option("mesh", mesh, kMeshHelp)
+      ->required()
+      ->type_name("MESH")
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            return name == "-" ? std::string("a mesh is read from a file, not from standard input")
+                               : std::string();
+          },
+          ""));
 }
 
 void addCamera(CLI::App& command, Camera& camera) {
@@ -127,25 +149,14 @@ void addFields(CLI::App& command, FieldOptions& fields) {
 
 void addLineFamilies(CLI::App& command, LineOptions& lines) {
   std::string all;
-  std::size_t inLine = 0;
-  for (const std::string& name : familyNames()) {
-    all += all.empty() ? "" : ",";
-    if (inLine + name.size() > kHelpColumn) {
-      all += "\n";
-      inLine = 0;
-    } else if (!all.empty()) {
-      all += " ";
-    }
-    all += name;
-    inLine += name.size() + 2;
-  }
+  for (const std::string& name : familyNames()) all += name + ", ";
   std::vector<std::string> names = familyNames();
   names.emplace_back("all");
   command
       .add_option_function<std::vector<std::string>>(
           "--lines", [&lines](const std::vector<std::string>& chosen) { setLines(lines, chosen); },
-          "Line families, separated by commas:\n" + all +
-              ", or all [contours,apparent-ridges,boundaries]")
+          "Line families, separated by commas: " + all +
+              "or all [contours,apparent-ridges,boundaries]")
       ->type_name("LIST")
       ->delimiter(',')
       ->check(oneOf("line family", names));
@@ -154,9 +165,9 @@ void addLineFamilies(CLI::App& command, LineOptions& lines) {
           "--threshold",
           [&lines](const std::vector<std::string>& thresholds) {
             for (const std::string& text : thresholds) {
-              const std::size_t equals = text.find('=');
-              lines.threshold[static_cast<std::size_t>(*lineFamilyNamed(text.substr(0, equals)))] =
-                  *numberFrom(std::string_view(text).substr(equals + 1));
+              const std::string name = familyOfThreshold(text);
+              lines.threshold[static_cast<std::size_t>(*lineFamilyNamed(name))] =
+                  *numberFrom(std::string_view(text).substr(name.size() + 1));
             }
           },
           "Draw less or more of a family; may be repeated. Dimensionless: curvature times the\n"
@@ -183,6 +194,20 @@ void addLineFamilies(CLI::App& command, LineOptions& lines) {
       ->type_name("N")
       ->check(CLI::Range(1, 10000).description(""));
   addDirection(command, "--topographic-up", lines.topographicUp, "Which way height grows [0,1,0]");
+}
+
+void refuseIdleOptions(const CLI::App& command, const LineOptions& lines) {
+  const auto needs = [&lines](const std::string& option, LineFamily family) {
+    if (lines[family]) return;
+    throw CLI::ValidationError(option, std::string(nameOf(family)) +
+                                           " are not among the lines drawn; name them in --lines");
+  };
+  for (const std::string& text : command.get_option("--threshold")->results())
+    needs("--threshold", *lineFamilyNamed(familyOfThreshold(text)));
+  if (command.count("--isophotes") > 0) needs("--isophotes", LineFamily::Isophotes);
+  for (const char* option : {"--topographic", "--topographic-up"}) {
+    if (command.count(option) > 0) needs(option, LineFamily::Topographic);
+  }
 }
 
 void setUsualLines(LineOptions& lines) {

@@ -33,6 +33,10 @@ void addFields(CLI::App& command, FieldOptions& fields);
 /// --topographic-up. Call setUsualLines before.
 void addLineFamilies(CLI::App& command, LineOptions& lines);
 
+/// Throws CLI::ValidationError for an option of a family that is not drawn: it would do nothing.
+/// To be called when `command` was read, with the lines that it was read into.
+void refuseIdleOptions(const CLI::App& command, const LineOptions& lines);
+
 /// Contours, apparent ridges and boundaries.
 void setUsualLines(LineOptions& lines);
 

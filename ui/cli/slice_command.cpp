@@ -26,6 +26,17 @@ struct Options {
   LineOptions lines;
 };
 
+/// Whatever a number is read as, "nan" and "inf" too.
+CLI::Validator finite() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double value = 0.0;
+        const bool is = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        return is ? std::string() : "expected a number, found " + text;
+      },
+      "");
+}
+
 std::string whyNotOutput(const std::string& file) {
   if (extensionOf(file) == ".json") return {};
   return "the name " + file + " should end in .json";
@@ -109,9 +120,9 @@ void addSliceCommand(CLI::App& app, Action& action) {
   options->lines[LineFamily::ApparentRidges] = true;
   CLI::App& command = *app.add_subcommand(
       "slice",
-      "Cut a mesh by a plane and write the section as a scene of flatland, with the same view. "
-      "Its\n"
-      "marks, and the apparent ridges of the surface that go through the plane, go to standard\n"
+      "Cut a mesh by a plane and write the section as a scene of flatland, with the same view.\n"
+      "Its marks, and the apparent ridges of the surface that go through the plane, go to "
+      "standard\n"
       "output, with the angle between t_A and the plane: why they differ.");
   addMesh(command, options->mesh);
   command
@@ -119,14 +130,16 @@ void addSliceCommand(CLI::App& app, Action& action) {
                   "The plane NX x + NY y + NZ z = D in the coordinates of the mesh's file")
       ->type_name("NX,NY,NZ,D")
       ->delimiter(',')
-      ->expected(4);
+      ->expected(4)
+      ->check(finite());
   command
       .add_option(
           "--through", options->through,
           "The plane through the vertex nearest to this place, along the view and t_A there")
       ->type_name("X,Y,Z")
       ->delimiter(',')
-      ->expected(3);
+      ->expected(3)
+      ->check(finite());
   addDirection(command, "--view", options->towards, "From the mesh towards the viewer [0,0,1]");
   command
       .add_option("--tolerance", options->tolerance,
