@@ -107,8 +107,8 @@ std::string wordsFor(StepAnswer answer) {
   return {};
 }
 
-std::string derivationToJson(const std::vector<DerivationRow>& rows) {
-  std::string text = "{\n  \"steps\": [\n";
+std::string derivationStepsJson(const std::vector<DerivationRow>& rows) {
+  std::string text = "[\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const DerivationRow& row = rows[i];
     const DerivationStepText& names = row.text;
@@ -128,7 +128,11 @@ std::string derivationToJson(const std::vector<DerivationRow>& rows) {
     }
     text += i + 1 < rows.size() ? "},\n" : "}\n";
   }
-  return text + "  ]\n}\n";
+  return text + "  ]";
+}
+
+std::string derivationToJson(const std::vector<DerivationRow>& rows) {
+  return "{\n  \"steps\": " + derivationStepsJson(rows) + "\n}\n";
 }
 
 std::string derivationToCsv(const std::vector<DerivationRow>& rows) {

@@ -24,6 +24,9 @@ std::string wordsFor(StepAnswer answer);
 /// One object per step with both variants and the step-size sweep. Numbers read back exactly.
 std::string derivationToJson(const std::vector<DerivationRow>& rows);
 
+/// The array of these objects alone, to be part of another one.
+std::string derivationStepsJson(const std::vector<DerivationRow>& rows);
+
 /// One row per step and variant; entries of vectors and matrices separated by blanks.
 std::string derivationToCsv(const std::vector<DerivationRow>& rows);
 

@@ -142,7 +142,7 @@ TEST_F(TriangleLessonOfAMesh, DecidesAsTheWalk) {
     SCOPED_TRACE(name);
     const TriangleMesh mesh = loadNamedMesh((dataFolder() / "meshes" / name).string()).mesh;
     const SurfaceFields fields = estimateFields(mesh, {});
-    const Tally tally = compare(mesh, fields, viewFrom({0.45, 0.3, 1.0}), 4.0, 53);
+    const Tally tally = compare(mesh, fields, viewFrom({0.45, 0.3, 1.0}), 2.0, 53);
     EXPECT_GT(tally.drawn, 100);
     // Weak lines on a scan: noise parts neighbours.
     EXPECT_LT(tally.byNeighbour, tally.drawn / 2);

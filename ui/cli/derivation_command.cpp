@@ -7,6 +7,7 @@
 #include "ui/cli/command_line.h"
 #include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
+#include "ui/cli/surface_derivation.h"
 
 namespace flatland::ui {
 
@@ -17,6 +18,8 @@ struct Options {
   std::size_t curve = 0;
   std::optional<double> t;
   std::optional<double> viewAngleDeg;
+  SurfaceDerivationOptions surface;
+  std::string misplaced;  ///< an option given that is of the other kind of scene
   ResultOptions result{.format = "text", .output = {}};
 };
 
@@ -49,6 +52,17 @@ double placeOn(const SceneCurve& curve, const std::optional<double>& wanted) {
 }
 
 int run(const Options& options) {
+  if (!options.misplaced.empty()) {
+    throw UsageError(options.misplaced + (namesSurface(options.scene)
+                                              ? " is for curves, not meshes"
+                                              : " is for meshes, not curves"));
+  }
+  if (namesSurface(options.scene)) {
+    SurfaceDerivationOptions surface = options.surface;
+    surface.mesh = options.scene;
+    runSurfaceDerivation(surface, options.result);
+    return kDone;
+  }
   const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
   requireCurve(scene, options.curve);
   const SceneCurve& curve = scene.curves[options.curve];
@@ -68,11 +82,20 @@ void addDerivationCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand(
       "derivation",
-      "Check the derivation of the apparent-ridge equation at a place of a curve: for each "
-      "equation\n"
-      "of the thesis both sides, the residual, the same as printed where the print is wrong, and\n"
-      "difference quotients over a range of step sizes.");
-  command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
+      "Check the derivation of the apparent-ridge equation at a place of a curve (chapter 3 of "
+      "the\n"
+      "thesis) or at a vertex of a mesh (chapter 4): for each equation both sides, the residual, "
+      "the\n"
+      "same as printed where the print is wrong, and difference quotients over a range of step "
+      "sizes.\n"
+      "Or tell what becomes of a triangle (chapter 5).");
+  command
+      .add_option("scene", options->scene,
+                  std::string(kSceneHelp) +
+                      "; or a mesh (.ply .obj .stl .off .gltf .glb), or "
+                      "solid:NAME[:CELLS[:irregular]]")
+      ->required()
+      ->type_name("SCENE");
   command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N");
   command
       .add_option("--t", options->t,
@@ -80,6 +103,7 @@ void addDerivationCommand(CLI::App& app, Action& action) {
                   "curve has no tangent there]")
       ->type_name("T");
   addViewAngle(command, options->viewAngleDeg);
+  addSurfaceDerivation(command, options->surface);
   command.add_option("--format", options->result.format, "text, json or csv [text]")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"text", "json", "csv"}).description(""));
@@ -87,8 +111,18 @@ void addDerivationCommand(CLI::App& app, Action& action) {
   command.footer(
       "Examples:\n"
       "  flatland derivation preset:thesis --t 0.3\n"
-      "  flatland derivation scene.json --curve 1 --t 2.5 --format json -o check.json\n");
-  command.final_callback([options, &action] { action = [options] { return run(*options); }; });
+      "  flatland derivation scene.json --curve 1 --t 2.5 --format json -o check.json\n"
+      "  flatland derivation solid:torus --point 1.3,0,0.2 --view 1,0.4,1\n"
+      "  flatland derivation mesh.obj --triangle 17 --view 0,0,1 --perspective 35\n");
+  const CLI::App* self = &command;
+  command.final_callback([options, &action, self] {
+    const std::vector<std::string> ofCurves{"--curve", "--t", "--view-angle"};
+    for (const std::string& name :
+         namesSurface(options->scene) ? ofCurves : surfaceDerivationOptionNames()) {
+      if (self->count(name) > 0) options->misplaced = name;
+    }
+    action = [options] { return run(*options); };
+  });
 }
 
 }  // namespace flatland::ui

@@ -178,7 +178,7 @@ void LessonPanel::showValues() {
   const auto equation = lesson_.equation();
   if (!equation) return;
   showMisses();
-  const QString values = valuesForPeople(*equation, lesson_.reading(), lesson_.isPrinted());
+  const QString values = valuesForPeople(textOf(*equation), lesson_.reading(), lesson_.isPrinted());
   values_->setWordWrap(!values.startsWith("<table"));
   values_->setText(values);
   const std::string_view step = textOf(*equation).step;

@@ -50,7 +50,11 @@ QString whyNot(StepAnswer answer) {
           "has "
           "no finite value.");
     case StepAnswer::NoNormal:
-    case StepAnswer::NoDirection:  // of a surface
+      return Words::tr("The normal is unknown here.");
+    case StepAnswer::NoDirection:
+      return Words::tr(
+          "Seen from here the surface bends alike in all directions, or not at all: there is no "
+          "t_A.");
     case StepAnswer::Evaluated:
       break;
   }
@@ -93,12 +97,11 @@ QString eachMissForPeople(const PrintedRoots& printed) {
   return lines.join('\n');
 }
 
-QString valuesForPeople(DerivationStep step, const std::optional<StepReading>& reading,
+QString valuesForPeople(const DerivationStepText& text, const std::optional<StepReading>& reading,
                         bool printed) {
   if (!reading) return Words::tr("Point at the curve to see the values there.");
   const auto& sides = printed ? reading->printed : reading->corrected;
   if (!sides) return whyNot(reading->answer);
-  const DerivationStepText& text = textOf(step);
   const QString left = plain(printed ? text.printedLeft : text.left);
   const QString right = plain(printed ? text.printedRight : text.right);
   const bool agree = sides->residual < kAgreement;

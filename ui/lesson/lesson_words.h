@@ -11,7 +11,7 @@ namespace flatland::ui {
 
 /// Both sides, how far they are apart and the residual, as rich text of three lines; or why there
 /// are none.
-QString valuesForPeople(DerivationStep step, const std::optional<StepReading>& reading,
+QString valuesForPeople(const DerivationStepText& text, const std::optional<StepReading>& reading,
                         bool printed);
 
 /// In one line: how many printed roots lie at a maximum of lambda, and how far along the curve the
