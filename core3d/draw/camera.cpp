@@ -140,7 +140,34 @@ std::optional<Vector2d> Projection::toScreen(const Vector3d& p) const {
   return Vector2d(width / 2.0 + scale * q.x(), height / 2.0 - scale * q.y());
 }
 
+Projection projectionOfBall(const Camera& camera, double ballRadius) {
+  Projection to;
+  to.axes = axesOf(camera);
+  to.width = camera.width;
+  to.height = camera.height;
+  to.centre = camera.centre.value_or(Vector3d::Zero());
+  const double radius = std::max(ballRadius, kSmallestExtent);
+  double fitted = halfRoom(camera).minCoeff() / radius;
+  if (camera.perspectiveDeg) {
+    const double halfAngle = *camera.perspectiveDeg * std::numbers::pi / 360.0;
+    to.distance = radius / std::sin(halfAngle);
+    // The outline of the ball is seen larger than its radius by 1 / cos of half the angle.
+    fitted *= std::cos(halfAngle);
+  }
+  to.pxPerUnit = camera.zoom * fitted;
+  return to;
+}
+
+double ballRadiusOf(const TriangleMesh& mesh) {
+  float farthest = 0.0f;
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    farthest = std::max(farthest, mesh.position(v).norm());
+  }
+  return farthest;
+}
+
 Projection projectionOf(const Camera& camera, const TriangleMesh& mesh, bool fitBall) {
+  if (camera.centre) return projectionOfBall(camera, ballRadiusOf(mesh));
   Projection to;
   to.axes = axesOf(camera);
   to.width = camera.width;

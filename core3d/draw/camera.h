@@ -22,6 +22,9 @@ struct Camera {
   std::optional<double>
       perspectiveDeg;  ///< vertical field of view in (0, 180); empty: orthographic
   double zoom = 1.0;   ///< > 1: larger than fitted, as by a longer lens from the same place
+  /// Seen in the middle of the picture, coordinates of the mesh. Then not the mesh is fitted but
+  /// the ball about 0 that holds it (projectionOfBall). Empty: the middle of what is fitted.
+  std::optional<Eigen::Vector3d> centre = {};
   double width = 800.0, height = 600.0;  ///< px, > 0
   double margin = 20.0;                  ///< px kept free when fitting
 };
@@ -49,5 +52,13 @@ struct Projection {
 /// exactly, in perspective too: the viewer stands as near as the field of view allows, and two
 /// sides of the outline touch the margin. One pass over the vertices.
 Projection projectionOf(const Camera& camera, const TriangleMesh& mesh, bool fitBall = false);
+
+/// A ball about 0 fitted into the picture less its margin, and moved so that the camera's centre (0
+/// if it has none) is in the middle. With perspective the ball fills the field of view, and the
+/// viewer goes along with the centre: he stands where he does whatever the size of the picture.
+Projection projectionOfBall(const Camera& camera, double ballRadius);
+
+/// Of the ball about 0 that holds the mesh.
+double ballRadiusOf(const TriangleMesh& mesh);
 
 }  // namespace flatland

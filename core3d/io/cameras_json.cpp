@@ -18,10 +18,15 @@ namespace {
 constexpr std::size_t kLargestBytes = 64U * 1024U * 1024U;
 constexpr std::size_t kLongestName = 64;
 
+Eigen::Vector3d placeFrom(const JsonNode& node) {
+  if (node.listSize("three numbers [x, y, z]") != 3) node.fail("expected 3 numbers [x, y, z]");
+  Eigen::Vector3d place;
+  for (std::size_t i = 0; i < 3; ++i) place[static_cast<Eigen::Index>(i)] = node.at(i).length();
+  return place;
+}
+
 Eigen::Vector3d directionFrom(const JsonNode& node) {
-  if (node.listSize("a direction [x, y, z]") != 3) node.fail("expected 3 numbers [x, y, z]");
-  Eigen::Vector3d direction;
-  for (std::size_t i = 0; i < 3; ++i) direction[static_cast<Eigen::Index>(i)] = node.at(i).length();
+  const Eigen::Vector3d direction = placeFrom(node);
   // Of the largest part and not of the length, whose square may be 0 or infinite.
   const double size = direction.cwiseAbs().maxCoeff();
   if (!(size > 0.0)) node.fail("a direction must not be [0, 0, 0]");
@@ -41,7 +46,7 @@ std::string nameFrom(const JsonNode& node, std::set<std::string>& taken) {
 }
 
 NamedCamera cameraFrom(const JsonNode& node, const Camera& usual, std::set<std::string>& taken) {
-  node.allowKeys({"name", "view", "up", "perspectiveDeg", "zoom"});
+  node.allowKeys({"name", "view", "up", "perspectiveDeg", "zoom", "centre"});
   NamedCamera named{{}, usual};
   if (const auto name = node.find("name")) named.name = nameFrom(*name, taken);
   if (const auto view = node.find("view")) named.camera.towards = directionFrom(*view);
@@ -65,6 +70,8 @@ NamedCamera cameraFrom(const JsonNode& node, const Camera& usual, std::set<std::
                  numberText(named.camera.zoom));
     }
   }
+  const auto centre = node.find("centre");
+  if (centre && !centre->value().is_null()) named.camera.centre = placeFrom(*centre);
   return named;
 }
 
@@ -103,7 +110,19 @@ std::vector<NamedCamera> loadCameras(const std::filesystem::path& file, const Ca
 std::string cameraToJson(const Camera& camera) {
   return "{\"view\": " + vectorText(camera.towards) + ", \"up\": " + vectorText(camera.up) +
          ", \"perspectiveDeg\": " + numberText(camera.perspectiveDeg, "null") +
-         ", \"zoom\": " + numberText(camera.zoom) + "}";
+         ", \"zoom\": " + numberText(camera.zoom) +
+         (camera.centre ? ", \"centre\": " + vectorText(*camera.centre) : "") + "}";
+}
+
+std::string camerasToJson(const std::vector<NamedCamera>& cameras) {
+  std::string text = "{\n  \"flatland\": 1,\n  \"cameras\": [";
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    text += i == 0 ? "\n    " : ",\n    ";
+    std::string camera = cameraToJson(cameras[i].camera);
+    if (!cameras[i].name.empty()) camera.insert(1, "\"name\": \"" + cameras[i].name + "\", ");
+    text += camera;
+  }
+  return text + "\n  ]\n}\n";
 }
 
 }  // namespace flatland

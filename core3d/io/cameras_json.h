@@ -26,7 +26,11 @@ std::vector<NamedCamera> camerasFromJson(const std::string& text, const std::str
 /// Reads a file. Throws InputError, also when the file cannot be read.
 std::vector<NamedCamera> loadCameras(const std::filesystem::path& file, const Camera& usual);
 
-/// "view", "up", "perspectiveDeg", "zoom" of one camera as the object that the list has of it.
+/// "view", "up", "perspectiveDeg", "zoom" and, if it has one, "centre" of one camera as the object
+/// that the list has of it.
 std::string cameraToJson(const Camera& camera);
+
+/// A list that camerasFromJson reads. Precondition: names as it asks for, none twice.
+std::string camerasToJson(const std::vector<NamedCamera>& cameras);
 
 }  // namespace flatland

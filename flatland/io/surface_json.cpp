@@ -98,9 +98,11 @@ SurfaceFamily familyFrom(const JsonNode& node) {
 SurfacePane paneFrom(const JsonNode& node) {
   node.allowKeys({"families", "derivative", "shows", "camera"});
   SurfacePane pane;
-  if (const auto families = node.find("families")) {
+  const auto families = node.find("families");
+  if (families && !families->value().is_null()) {
     const std::size_t count = families->listSize("a list of names");
-    for (std::size_t i = 0; i < count; ++i) pane.families.push_back(families->at(i).text());
+    pane.families.emplace();
+    for (std::size_t i = 0; i < count; ++i) pane.families->push_back(families->at(i).text());
   }
   if (const auto derivative = node.find("derivative")) pane.derivative = derivative->text();
   if (const auto shows = node.find("shows")) pane.shows = shows->text();
@@ -183,10 +185,15 @@ std::string familyText(const SurfaceFamily& family, const std::string& path) {
 
 std::string paneText(const SurfacePane& pane, const std::string& path) {
   std::string families;
-  for (const std::string& name : pane.families) {
-    families += (families.empty() ? "" : ", ") + quoted(name, pathTo(path, "families"));
+  if (pane.families) {
+    for (const std::string& name : *pane.families) {
+      families += (families.empty() ? "" : ", ") + quoted(name, pathTo(path, "families"));
+    }
+    families = "[" + families + "]";
+  } else {
+    families = "null";
   }
-  return "{\"families\": [" + families + "], \"derivative\": " + quoted(pane.derivative, path) +
+  return "{\"families\": " + families + ", \"derivative\": " + quoted(pane.derivative, path) +
          ", \"shows\": " + quoted(pane.shows, path) + ", \"camera\": " +
          (pane.camera ? cameraText(*pane.camera, pathTo(path, "camera")) : "null") + "}";
 }
@@ -217,8 +224,8 @@ std::string listText(const Entries& entries, const Text& textOf) {
 
 SurfaceSetting surfaceFrom(const JsonNode& node) {
   node.allowKeys({"mesh", "camera", "savedCameras", "families", "style", "quantity", "hidden",
-                  "unfiltered", "isophotes", "heights", "fitScale", "panes", "ink", "swept",
-                  "plane"});
+                  "unfiltered", "isophotes", "heights", "fitScale", "upAxis", "panes", "ink",
+                  "swept", "plane"});
   SurfaceSetting surface;
   surface.mesh = node.at("mesh").text();
   if (surface.mesh.empty()) node.at("mesh").fail("expected a file or solid:NAME");
@@ -248,6 +255,12 @@ SurfaceSetting surfaceFrom(const JsonNode& node) {
   if (const auto count = node.find("isophotes")) surface.isophotes = levels(*count);
   if (const auto count = node.find("heights")) surface.heights = levels(*count);
   if (const auto scale = node.find("fitScale")) surface.fitScale = positive(*scale, 1.0);
+  if (const auto axis = node.find("upAxis")) {
+    surface.upAxis = axis->text();
+    if (std::find(std::begin(kUpAxes), std::end(kUpAxes), surface.upAxis) == std::end(kUpAxes)) {
+      axis->fail("expected x, -x, y, -y, z or -z, found " + surface.upAxis);
+    }
+  }
   if (const auto panes = node.find("panes")) {
     const std::size_t count = panes->listSize("a list of views");
     if (count > kMostPanes) panes->fail("more than " + std::to_string(kMostPanes) + " views");
@@ -266,7 +279,8 @@ SurfaceSetting surfaceFrom(const JsonNode& node) {
 }
 
 bool needsVersion4(const SurfaceSetting& surface) {
-  return !surface.panes.empty() || surface.ink || surface.swept || surface.plane;
+  return surface.upAxis != SurfaceSetting{}.upAxis || !surface.panes.empty() || surface.ink ||
+         surface.swept || surface.plane;
 }
 
 std::string surfaceText(const SurfaceSetting& surface, const std::string& path) {
@@ -292,6 +306,9 @@ std::string surfaceText(const SurfaceSetting& surface, const std::string& path) 
                      ",\n    \"isophotes\": " + std::to_string(surface.isophotes) +
                      ",\n    \"heights\": " + std::to_string(surface.heights) +
                      ",\n    \"fitScale\": " + lengthText(surface.fitScale, path);
+  if (surface.upAxis != SurfaceSetting{}.upAxis) {
+    text += ",\n    \"upAxis\": " + quoted(surface.upAxis, path);
+  }
   if (!surface.panes.empty()) {
     const std::string panes = pathTo(path, "panes");
     text +=

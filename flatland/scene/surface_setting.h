@@ -44,11 +44,12 @@ struct SurfaceFamily {
 
 /// A further view of the surface, beside the first. What it does not say is as in the first.
 struct SurfacePane {
-  std::vector<std::string> families;  ///< names of the families it draws
+  std::optional<std::vector<std::string>> families = {};  ///< names of those it draws
   std::string derivative =
       "closed-form";            ///< of its apparent ridges; "one-ring": as the thesis did
   std::string shows = "lines";  ///< "difference": where it and the first view disagree
-  std::optional<SurfaceCamera> camera = {};  ///< looks at the first view's lines from elsewhere
+  /// Looks from elsewhere at the lines that are found for the camera of the first view.
+  std::optional<SurfaceCamera> camera = {};
 
   bool operator==(const SurfacePane&) const = default;
 };
@@ -85,6 +86,7 @@ struct SurfaceSetting {
   bool unfiltered = false;              ///< every crossing of the defining equations
   int isophotes = 10, heights = 20;     ///< how many levels, >= 1
   double fitScale = 1.0;                ///< of the neighbourhoods of the jet fit, >= 1
+  std::string upAxis = "y";             ///< of the file, upward in standard views; or "-z", ...
   std::vector<SurfacePane> panes;       ///< beside the first view; at most kMostPanes
   std::optional<double> ink;            ///< share of each view its lines cover, in (0, 1]
   std::optional<SweptSetting> swept;    ///< there if `mesh` is "swept:"
@@ -94,6 +96,7 @@ struct SurfaceSetting {
 };
 
 inline constexpr std::size_t kMostPanes = 3;
+inline constexpr const char* kUpAxes[] = {"x", "-x", "y", "-y", "z", "-z"};
 inline constexpr char kSolidPrefix[] = "solid:";
 inline constexpr char kSweptMesh[] = "swept:";
 /// True if the reference names a built-in solid, not a file.

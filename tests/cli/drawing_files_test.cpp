@@ -264,9 +264,15 @@ TEST(CamerasJson, ReadsCamerasAndTakesTheRestFromTheUsualOne) {
 }
 
 TEST(CamerasJson, WritesWhatItReads) {
-  const Camera camera{.towards = {0, 0.6, 0.8}, .up = {0, 1, 0}, .perspectiveDeg = 25, .zoom = 2};
-  const auto read = camerasFromJson(R"({"flatland": 1, "cameras": [)" + cameraToJson(camera) + "]}",
-                                    "c.json", {});
+  Camera camera{.towards = {0, 0.6, 0.8}, .up = {0, 1, 0}, .perspectiveDeg = 25, .zoom = 2};
+  const Camera first = camera;
+  camera.centre = {0.1, -1.0 / 3.0, 0.25};
+  const auto read = camerasFromJson(camerasToJson({{"one", first}, {"", camera}}), "c.json", {});
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].name, "one");
+  EXPECT_EQ(read[1].name, "");
+  EXPECT_EQ(read[0].camera.centre, std::nullopt);
+  EXPECT_EQ(read[1].camera.centre, camera.centre);
   EXPECT_LT((read.at(0).camera.towards - camera.towards).norm(), 1e-15);
   EXPECT_EQ(read.at(0).camera.perspectiveDeg, camera.perspectiveDeg);
   EXPECT_EQ(read.at(0).camera.zoom, camera.zoom);

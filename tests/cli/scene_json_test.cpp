@@ -450,9 +450,12 @@ TEST(SceneJson, ASurfaceSurvives) {
 TEST(SceneJson, FurtherViewsSweptSurfaceAndPlaneSurvive) {
   Scene scene = read(kSmall);
   scene.surface = anySurface();
-  SurfacePane elsewhere{{"valleys", "contours"}, "one-ring", "difference", SurfaceCamera{}};
+  using Names = std::vector<std::string>;
+  SurfacePane elsewhere{Names{"valleys", "contours"}, "one-ring", "difference", SurfaceCamera{}};
   elsewhere.camera->zoom = 1.0 / 3.0;
-  scene.surface->panes = {elsewhere, {{"ridges"}}};
+  // No families are something else than those of the first view.
+  scene.surface->panes = {elsewhere, {Names{}}, {}};
+  scene.surface->upAxis = "-z";
   scene.surface->ink = 0.03;
   scene.surface->mesh = kSweptMesh;
   scene.surface->swept = SweptSetting{"revolution", 3, -0.1, 17};
@@ -511,6 +514,8 @@ TEST(SceneJson, SaysWhatIsWrongWithASurface) {
       {surface(R"(, "isophotes": 0)"), "surface.isophotes", "1 to 1000"},
       {surface(R"(, "ink": 0.1)"), "surface", "came with version 4"},
       {surface(R"(, "ink": 1.1)"), "surface.ink", "at most 1"},
+      {surface(R"(, "upAxis": "z")"), "surface", "came with version 4"},
+      {surface(R"(, "upAxis": "w")"), "surface.upAxis", "x, -x, y, -y, z or -z"},
       {surface(R"(, "panes": [{}, {}, {}, {}])"), "surface.panes", "more than 3"},
       {surface(R"(, "plane": {"point": [0, 0, 0], "normal": [0, 0, 0]})"), "surface.plane.normal",
        "a direction"},

@@ -99,7 +99,8 @@ class SurfaceModelTest : public QObject {
           highest = std::min(highest, projection.toScreen(p)->y());
         }
       }
-      QVERIFY2(std::abs(highest - kOrbitMarginPx) < 0.5, qPrintable(QString::number(highest)));
+      const double margin = Camera{}.margin * pictureScale(500, 300);
+      QVERIFY2(std::abs(highest - margin) < 0.5, qPrintable(QString::number(highest)));
     }
   }
 

@@ -346,7 +346,7 @@ class SurfaceTest : public QObject {
   bool quiet() {
     const SurfaceModels models = driver_->window().surfaceModels();
     const bool done = QTest::qWaitFor(
-        [&models] { return !models.source.isBusy() && !models.seen.isStale(); }, kPatienceMs);
+        [&models] { return !models.source.isBusy() && !models.views.isStale(); }, kPatienceMs);
     driver_->settle();
     return done;
   }

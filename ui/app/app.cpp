@@ -64,7 +64,7 @@ void waitForWork(MainWindow& window) {
   const SurfaceModels surface = window.surfaceModels();
   while (quiet.elapsed() < kQuietMs) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    const bool onSurface = surface.source.isBusy() || surface.seen.isStale();
+    const bool onSurface = surface.source.isBusy() || surface.views.isStale();
     if (onSurface || QThreadPool::globalInstance()->activeThreadCount() > 0) quiet.restart();
     if (timer.elapsed() > (onSurface ? kSurfaceTimeoutMs : kPaintTimeoutMs)) return;
   }

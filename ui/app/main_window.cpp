@@ -54,7 +54,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
       plots_(document_, selection_, display_, probe_),
       lesson_(document_, probe_, display_),
       surfaceSource_(document_),
-      seenSource_(document_, surfaceSource_),
+      surfaceViews_(document_, surfaceSource_),
       surfacePick_(surfaceSource_),
       docks_(std::make_unique<Docks>(*this)) {
   setObjectName("window");

@@ -51,7 +51,8 @@ class MainWindow : public QMainWindow {
   LessonFiles& lessons() { return *lessons_; }
   ImportController& imports() { return *imports_; }
   SurfaceModels surfaceModels() {
-    return {document_, surfaceSource_, seenSource_, display_, surfacePick_};
+    return {document_, surfaceSource_, surfaceViews_.seen(0),
+            display_,  surfacePick_,   surfaceViews_};
   }
   SurfaceController& surfaces() { return *surfaces_; }
   SurfaceArea& surfaceArea() { return *surfaceArea_; }
@@ -88,7 +89,7 @@ class MainWindow : public QMainWindow {
   Plots plots_;
   LessonModel lesson_;
   SurfaceSource surfaceSource_;
-  SeenSource seenSource_;
+  SurfaceViews surfaceViews_;
   SurfacePick surfacePick_;
   std::unique_ptr<Docks> docks_;
   Look* look_ = nullptr;

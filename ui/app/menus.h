@@ -59,6 +59,7 @@ void buildViewMenu(QMenu& menu, const MenuParts& parts);
 void addLayoutMenus(QMenu& viewMenu, const MenuParts& parts);  ///< layout, theme, size, language
 void buildProbeMenu(QMenu& menu, const MenuParts& parts);      // within the View menu
 void buildSurfaceMenu(QMenu& menu, const MenuParts& parts);
+void buildCompareMenu(QMenu& menu, const MenuParts& parts);  // within the Surface menu
 void buildLessonMenu(QMenu& menu, const MenuParts& parts);
 void buildHelpMenu(QMenu& menu, const MenuParts& parts);
 

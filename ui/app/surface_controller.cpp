@@ -45,7 +45,7 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
       messages_(messages),
       settings_(settings) {
   connect(&models_.source, &SurfaceSource::failed, &messages_, &MessageBar::showError);
-  connect(&models_.seen, &SeenSource::failed, &messages_, &MessageBar::showError);
+  connect(&models_.views, &SurfaceViews::failed, &messages_, &MessageBar::showError);
   connect(&export_, &Job::failed, &messages_, &MessageBar::showError);
   connect(&models_.source, &SurfaceSource::opened, this, [this](const QString& reference) {
     messages_.hide();

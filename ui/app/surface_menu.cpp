@@ -101,6 +101,8 @@ void buildSurfaceMenu(QMenu& menu, const MenuParts& parts) {
   menu.addSeparator();
   QMenu& views = addSubmenu(menu, "menu.surface.views", SurfaceMenuWords::tr("&Look from"));
   addViews(views, document);
+  QMenu& compare = addSubmenu(menu, "menu.surface.compare", SurfaceMenuWords::tr("Co&mpare"));
+  buildCompareMenu(compare, parts);
   QAction* spin = addSwitch(menu,
                             {"surface.spin", SurfaceMenuWords::tr("Sp&in\tSpace"),
                              SurfaceMenuWords::tr("Turn the surface on and on")},
@@ -111,12 +113,13 @@ void buildSurfaceMenu(QMenu& menu, const MenuParts& parts) {
                                {"surface.export", SurfaceMenuWords::tr("&Export Surface…"),
                                 SurfaceMenuWords::tr("Write the picture of the surface")},
                                [&surfaces] { surfaces.exportPicture(); });
-  const auto show = [=, &surfaces, &document, &views] {
+  const auto show = [=, &surfaces, &document, &views, &compare] {
     const bool there = document.scene().surface.has_value();
     next->setEnabled(surfaces.hasNeighbours());
     previous->setEnabled(surfaces.hasNeighbours());
     for (QAction* action : {close, spin, picture}) action->setEnabled(there);
     views.setEnabled(there);
+    compare.setEnabled(there);
   };
   QObject::connect(&document, &Document::changed, &menu, [show](const Change& change) {
     if (change.touchesSurface()) show();

@@ -90,14 +90,22 @@ void Document::swapScene(Scene& scene) {
 void Document::swapSurface(std::optional<SurfaceSetting>& surface) {
   if (surface && scene_.surface && surface->mesh == scene_.surface->mesh) {
     surface->camera = scene_.surface->camera;
+    const std::size_t both = std::min(surface->panes.size(), scene_.surface->panes.size());
+    for (std::size_t i = 0; i < both; ++i) {
+      std::optional<SurfaceCamera>& other = surface->panes[i].camera;
+      const std::optional<SurfaceCamera>& now = scene_.surface->panes[i].camera;
+      if (other && now) other = now;
+    }
   }
   std::swap(scene_.surface, surface);
   emit changed({Change::What::Surface});
 }
 
-void Document::setCamera(const SurfaceCamera& camera) {
-  if (scene_.surface->camera == camera) return;
-  scene_.surface->camera = camera;
+void Document::setCamera(const SurfaceCamera& camera, std::size_t pane) {
+  const bool own = pane > 0 && scene_.surface->panes[pane - 1].camera;
+  SurfaceCamera& its = own ? *scene_.surface->panes[pane - 1].camera : scene_.surface->camera;
+  if (its == camera) return;
+  its = camera;
   emit changed({Change::What::Camera});
 }
 

@@ -93,12 +93,13 @@ class Document : public QObject {
   void swapCurves(std::vector<SceneCurve>& curves);
   void swapView(View& view);
   void swapScene(Scene& scene);
-  /// As long as the mesh stays, so does the camera: looking from elsewhere is no edit.
+  /// As long as the mesh stays, so do the cameras: looking from elsewhere is no edit.
   void swapSurface(std::optional<SurfaceSetting>& surface);
 
-  /// Looks at the surface from elsewhere. No edit: not undone, and alone no reason to save.
-  /// Precondition: there is a surface.
-  void setCamera(const SurfaceCamera& camera);
+  /// Looks at the surface from elsewhere, in one of its views: where that has no camera of its own,
+  /// in all that have none. No edit: not undone, and alone no reason to save. Precondition: there
+  /// is a surface, and such a view.
+  void setCamera(const SurfaceCamera& camera, std::size_t pane = 0);
 
  signals:
   void changed(const flatland::ui::Change& change);

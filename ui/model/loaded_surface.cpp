@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "core3d/diff/estimate_fields.h"
+#include "core3d/draw/camera.h"
 #include "core3d/io/named_mesh.h"
 #include "flatland/scene/surface_setting.h"
 
@@ -40,11 +41,7 @@ LoadedSurface loadSurface(const std::string& reference) {
   LoadedSurface surface;
   surface.reference = reference;
   surface.normals = vertexNormals(built.mesh);
-  float farthest = 0.0f;
-  for (std::uint32_t v = 0; v < built.mesh.vertexCount(); ++v) {
-    farthest = std::max(farthest, built.mesh.position(v).norm());
-  }
-  surface.ballRadius = farthest;
+  surface.ballRadius = ballRadiusOf(built.mesh);
   surface.report = std::move(built.report);
   surface.mesh = std::make_shared<const TriangleMesh>(std::move(built.mesh));
   surface.loadMs = millisecondsSince(start);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core3d/draw/drawing.h"
+
 namespace flatland::ui {
 
 namespace {
@@ -38,24 +40,23 @@ SurfaceCamera turned(SurfaceCamera camera, const Vector3d& axis, double angleRad
 
 }  // namespace
 
+Camera drawingCamera(const SurfaceCamera& camera, double width, double height) {
+  Camera drawing;
+  drawing.towards = camera.towards;
+  drawing.up = camera.up;
+  drawing.perspectiveDeg = camera.perspectiveDeg;
+  drawing.zoom = camera.zoom;
+  drawing.centre = camera.centre;
+  drawing.width = width;
+  drawing.height = height;
+  drawing.margin *= pictureScale(width, height);
+  return drawing;
+}
+
 Projection orbitProjection(const SurfaceCamera& camera, double ballRadius, double width,
                            double height) {
-  Projection projection;
-  projection.axes = axesOf(camera);
-  projection.centre = camera.centre;
-  projection.width = width;
-  projection.height = height;
-  const double half = 0.5 * std::min(width, height);
-  const double radius = ballRadius > 0.0 ? ballRadius : 1.0;
-  double fitted = std::max(half - kOrbitMarginPx, 0.5 * half) / radius;
-  if (camera.perspectiveDeg) {
-    const double halfAngle = 0.5 * *camera.perspectiveDeg * std::numbers::pi / 180.0;
-    projection.distance = radius / std::sin(halfAngle);
-    // The outline of the ball is seen larger than its radius by 1 / cos of half the angle.
-    fitted *= std::cos(halfAngle);
-  }
-  projection.pxPerUnit = camera.zoom * fitted;
-  return projection;
+  return projectionOfBall(drawingCamera(camera, width, height),
+                          ballRadius > 0.0 ? ballRadius : 1.0);
 }
 
 Eigen::Matrix4d clipMatrix(const Projection& projection, double ballRadius) {

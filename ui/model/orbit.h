@@ -13,12 +13,15 @@ namespace flatland::ui {
 /// Standard views: from the front (+z), the right (+x), above (+y) and their opposites.
 enum class StandardView { Front, Back, Right, Left, Top, Bottom };
 
-inline constexpr double kOrbitMarginPx = 24.0;      ///< kept free around the fitted ball
 inline constexpr double kUsualPerspectiveDeg = 35;  ///< of the key that turns perspective on
 inline constexpr double kLeastZoom = 0.05;
 
-/// The camera set before a ball about 0 that is fitted at zoom 1. With perspective the viewer
-/// stands where the ball fills the field of view; zoom magnifies the picture and moves nobody.
+/// The same camera for drawings, in a picture of this size with the margin that `flatland lines`
+/// leaves: a list of such cameras gives the pictures of the window.
+Camera drawingCamera(const SurfaceCamera& camera, double width, double height);
+
+/// The camera set before a ball about 0 that is fitted at zoom 1 (projectionOfBall). Zoom magnifies
+/// the picture and moves nobody.
 Projection orbitProjection(const SurfaceCamera& camera, double ballRadius, double width,
                            double height);
 

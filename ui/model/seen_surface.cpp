@@ -28,28 +28,42 @@ std::vector<LineVertex> verticesOf(const std::vector<LineSegment>& segments) {
   return vertices;
 }
 
+/// What a search depends on: not from where its lines are looked at, nor what else is shown.
+PaneSetting findingPart(PaneSetting pane) {
+  SurfaceSetting& surface = pane.surface;
+  surface.savedCameras.clear();
+  surface.plane.reset();
+  surface.camera.zoom = 1.0;
+  surface.camera.up = SurfaceCamera{}.up;
+  // The viewer goes along with the centre; parallel lines of sight do not.
+  if (!surface.camera.perspectiveDeg) surface.camera.centre.setZero();
+  pane.ownCamera = false;
+  pane.camera = {};
+  return pane;
+}
+
 }  // namespace
 
-/// Keeps what one search lends to the next; searches of one surface take turns.
+/// Keeps what one search lends to the next; searches of one view take turns.
 struct SeenSource::Worker {
-  explicit Worker(std::shared_ptr<const LoadedSurface> of)
-      : surface(std::move(of)), finder(*surface->mesh, *surface->fields) {}
+  explicit Worker(std::shared_ptr<const LoadedSurface> of) : surface(std::move(of)) {}
 
-  std::shared_ptr<const SeenSurface> search(const SurfaceSetting& setting,
-                                            const SurfaceView& view) {
+  std::shared_ptr<const SeenSurface> search(const PaneSetting& pane, const SurfaceView& view) {
     const std::lock_guard lock(turn);
+    if (!finder) finder.emplace(*surface->mesh, *surface->fields);
     auto seen = std::make_shared<SeenSurface>();
     seen->surface = surface;
     seen->view = view;
     const auto start = Clock::now();
-    const FeatureLines lines = finder.find(view, lineOptionsOf(setting));
+    const FeatureLines lines = finder->find(view, lineOptionsOf(pane));
     seen->lineMs = millisecondsSince(start);
     for (const LineFamily family : allLineFamilies()) {
       seen->lines[static_cast<std::size_t>(family)] = verticesOf(lines.of(family));
     }
-    if (styleOf(setting) == SurfaceStyle::Colours) {
+    if (styleOf(pane.surface) == SurfaceStyle::Colours) {
       const auto colouring = Clock::now();
-      seen->colours = vertexColours(*surface->mesh, *surface->fields, view, quantityOf(setting));
+      seen->colours =
+          vertexColours(*surface->mesh, *surface->fields, view, quantityOf(pane.surface));
       seen->colourMs = millisecondsSince(colouring);
     }
     return seen;
@@ -57,14 +71,20 @@ struct SeenSource::Worker {
 
   std::mutex turn;
   std::shared_ptr<const LoadedSurface> surface;
-  LineFinder finder;
+  std::optional<LineFinder> finder;  ///< made by the first search
 };
 
-SeenSource::SeenSource(const Document& document, const SurfaceSource& source, QObject* parent)
-    : QObject(parent), document_(document), source_(source) {
+SeenSource::SeenSource(const Document& document, const SurfaceSource& source, std::size_t pane,
+                       const SeenSource* first, QObject* parent)
+    : QObject(parent), document_(document), source_(source), pane_(pane), first_(first) {
   connect(&document_, &Document::changed, this, &SeenSource::follow);
   connect(&source_, &SurfaceSource::changed, this, &SeenSource::surfaceChanged);
   connect(&job_, &Job::failed, this, &SeenSource::failed);
+  if (first_) {
+    connect(first_, &SeenSource::changed, this, [this] {
+      if (borrows_) borrow();
+    });
+  }
 }
 
 SeenSource::~SeenSource() = default;
@@ -78,31 +98,58 @@ void SeenSource::surfaceChanged() {
   if (worker_ && worker_->surface == surface) return;
   job_.cancel();
   again_ = false;
+  asked_.reset();
   worker_.reset();
   // While the same surface is estimated at another scale, its lines stay.
-  if (seen_ && (!surface || surface->mesh != seen_->surface->mesh)) {
-    seen_.reset();
-    emit changed();
-  }
+  if (seen_ && (!surface || surface->mesh != seen_->surface->mesh)) drop();
   if (!surface || !surface->fields) return;
   worker_ = std::make_shared<Worker>(surface);
   search();
 }
 
+void SeenSource::drop() {
+  if (!seen_) return;
+  seen_.reset();
+  emit changed();
+}
+
+void SeenSource::borrow() {
+  if (seen_ == first_->seen_) return;
+  seen_ = first_->seen_;
+  emit changed();
+}
+
 void SeenSource::search() {
   const std::optional<SurfaceSetting>& setting = document_.scene().surface;
-  if (!worker_ || !setting || setting->mesh != worker_->surface->reference) return;
+  const bool there = setting && pane_ < paneCount(*setting);
+  const PaneSetting wanted = there ? findingPart(paneSetting(*setting, pane_)) : PaneSetting{};
+  borrows_ = there && first_ && wanted == findingPart(paneSetting(*setting, 0));
+  if (borrows_ || !there) {
+    job_.cancel();
+    again_ = false;
+    asked_.reset();
+    return borrows_ ? borrow() : drop();
+  }
+  if (!worker_ || setting->mesh != worker_->surface->reference) return;
+  if (asked_ == wanted) {
+    again_ = false;
+    return;
+  }
   again_ = job_.isRunning();
-  if (again_) return;
+  if (!again_) start(wanted);
+}
+
+void SeenSource::start(const PaneSetting& wanted) {
+  asked_ = wanted;
   // The view depends on where the viewer stands, not on the size of the picture.
   constexpr double kAnySize = 100.0;
-  const Projection projection =
-      orbitProjection(setting->camera, worker_->surface->ballRadius, kAnySize, kAnySize);
-  const SurfaceView view = projection.view();
+  const SurfaceView view =
+      orbitProjection(wanted.surface.camera, worker_->surface->ballRadius, kAnySize, kAnySize)
+          .view();
   using Data = std::shared_ptr<const SeenSurface>;
   job_.start<Data>(
-      [worker = worker_, setting = *setting, view](const JobControl&) -> std::optional<Data> {
-        return worker->search(setting, view);
+      [worker = worker_, wanted, view](const JobControl&) -> std::optional<Data> {
+        return worker->search(wanted, view);
       },
       [this](const Data& seen) {
         seen_ = seen;

@@ -10,6 +10,7 @@
 #include "core3d/lines/line_finder.h"
 #include "ui/jobs/job.h"
 #include "ui/model/surface_colours.h"
+#include "ui/model/surface_panes.h"
 #include "ui/model/surface_source.h"
 
 namespace flatland::ui {
@@ -30,23 +31,26 @@ struct SeenSurface {
   double colourMs = 0.0;
 };
 
-/// The lines of the document's surface as its camera sees it, found beside the window's thread. A
-/// change starts the search; while one is under way only the newest wish is kept, so lines follow a
-/// moving camera as fast as they can be found and never pile up. The last ones stay until the next
-/// are there.
+/// The lines of one view of the document's surface as its camera sees it, found beside the window's
+/// thread. A change starts the search; while one is under way only the newest wish is kept, so
+/// lines follow a moving camera as fast as they can be found and never pile up. The last ones stay
+/// until the next are there.
 class SeenSource : public QObject {
   Q_OBJECT
 
  public:
-  SeenSource(const Document& document, const SurfaceSource& source, QObject* parent = nullptr);
+  /// For the view of this number. `first`, the source of view 0, outlives this one: where both look
+  /// for the same lines they are found once.
+  SeenSource(const Document& document, const SurfaceSource& source, std::size_t pane = 0,
+             const SeenSource* first = nullptr, QObject* parent = nullptr);
   ~SeenSource() override;
 
-  /// Null if there is no surface with fields yet.
+  /// Null if there is no such view, or no surface with fields yet.
   const std::shared_ptr<const SeenSurface>& seen() const { return seen_; }
 
   /// True while seen() is of another view or other settings.
-  bool isStale() const { return job_.isRunning() || again_; }
-  int searches() const { return searches_; }  ///< ended so far
+  bool isStale() const { return job_.isRunning() || again_ || (borrows_ && first_->isStale()); }
+  int searches() const { return searches_; }  ///< of its own, ended so far
 
  signals:
   void changed();
@@ -57,13 +61,20 @@ class SeenSource : public QObject {
   void follow(const Change& change);
   void surfaceChanged();
   void search();
+  void start(const PaneSetting& wanted);
+  void borrow();
+  void drop();
 
   const Document& document_;
   const SurfaceSource& source_;
+  const std::size_t pane_;
+  const SeenSource* first_;
   Job job_;
   std::shared_ptr<Worker> worker_;  ///< of the surface there is, shared with its jobs
   std::shared_ptr<const SeenSurface> seen_;
+  std::optional<PaneSetting> asked_;  ///< of the last search
   bool again_ = false;
+  bool borrows_ = false;  ///< what the first view found
   int searches_ = 0;
 };
 

@@ -107,6 +107,15 @@ Rgb colourOf(const SurfaceFamily& family, Palette palette) {
   return known ? lineColour(*known, palette) : sceneColours(palette).curve;
 }
 
+Eigen::Vector3d upAxisOf(const SurfaceSetting& setting) {
+  const std::string& axis = setting.upAxis;
+  const char letter = axis.empty() ? 'y' : axis.back();
+  const Eigen::Vector3d along = letter == 'x'   ? Eigen::Vector3d::UnitX()
+                                : letter == 'z' ? Eigen::Vector3d::UnitZ()
+                                                : Eigen::Vector3d::UnitY();
+  return axis.size() > 1 ? Eigen::Vector3d(-along) : along;
+}
+
 LineOptions lineOptionsOf(const SurfaceSetting& setting) {
   LineOptions options;
   for (const LineFamily family : allLineFamilies()) {
@@ -117,6 +126,7 @@ LineOptions lineOptionsOf(const SurfaceSetting& setting) {
   options.unfiltered = setting.unfiltered;
   options.isophoteLevels = setting.isophotes;
   options.topographicLevels = setting.heights;
+  options.topographicUp = upAxisOf(setting);
   return options;
 }
 

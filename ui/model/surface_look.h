@@ -48,6 +48,9 @@ SurfaceSetting withFamily(SurfaceSetting setting, const SurfaceFamily& family);
 Rgb colourOf(const SurfaceFamily& family, Palette palette);
 std::optional<Rgb> rgbOf(const std::string& hex);  ///< of "#rrggbb"
 
+/// The axis of the mesh that points upward, unit.
+Eigen::Vector3d upAxisOf(const SurfaceSetting& setting);
+
 /// What is to be looked for.
 LineOptions lineOptionsOf(const SurfaceSetting& setting);
 

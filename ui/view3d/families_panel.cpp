@@ -81,6 +81,7 @@ FamiliesPanel::FamiliesPanel(const SurfaceModels& models, QWidget* parent)
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (change.touchesSurface()) showSetting();
   });
+  connect(&models_.views, &SurfaceViews::activeChanged, this, &FamiliesPanel::showSetting);
   showSetting();
 }
 
@@ -90,8 +91,7 @@ FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, 
   row.on = new QCheckBox(title, this);
   row.on->setObjectName(idOf(family, "on"));
   row.on->setToolTip(tr("Draw these lines"));
-  connect(row.on, &QCheckBox::toggled, this,
-          [this, family](bool on) { edit(family, [on](SurfaceFamily& look) { look.on = on; }); });
+  connect(row.on, &QCheckBox::toggled, this, [this, family](bool on) { switchOn(family, on); });
   row.slider = new QSlider(Qt::Horizontal, this);
   row.slider->setObjectName(idOf(family, "slider"));
   row.slider->setRange(0, kSliderEnd);
@@ -201,7 +201,8 @@ QWidget* FamiliesPanel::makeCommon() {
 void FamiliesPanel::showSetting() {
   const auto& scene = models_.document.scene().surface;
   setEnabled(scene.has_value());
-  const SurfaceSetting setting = scene.value_or(SurfaceSetting{});
+  SurfaceSetting setting = scene.value_or(SurfaceSetting{});
+  if (scene) setting = paneSetting(setting, models_.views.active()).surface;
   const Palette palette = themePalette();
   for (const LineFamily family : allLineFamilies()) {
     const Row& row = rows_[static_cast<std::size_t>(family)];
@@ -232,6 +233,12 @@ void FamiliesPanel::edit(LineFamily family, const std::function<void(SurfaceFami
   if (look == before) return;
   models_.document.push(std::make_unique<SetSurface>(models_.document, withFamily(*setting, look),
                                                      tr("change lines"), gesture));
+}
+
+void FamiliesPanel::switchOn(LineFamily family, bool on) {
+  editSetting([&](SurfaceSetting& setting) {
+    setting = withFamilyOn(setting, models_.views.active(), family, on);
+  });
 }
 
 void FamiliesPanel::editSetting(const std::function<void(SurfaceSetting&)>& change) {

@@ -17,8 +17,8 @@ class QSpinBox;
 
 namespace flatland::ui {
 
-/// Which families of lines are drawn on the surface, how strong they must be and how they look.
-/// Every choice is an undo step; a pull of a slider is one.
+/// Which families of lines are drawn in the active view of the surface, how strong they must be and
+/// how they look in all of them. Every choice is an undo step; a pull of a slider is one.
 class FamiliesPanel : public QWidget {
   Q_OBJECT
 
@@ -42,6 +42,7 @@ class FamiliesPanel : public QWidget {
   void showSetting();
   /// Edits one family of the setting; edits with the same gesture number become one step.
   void edit(LineFamily family, const std::function<void(SurfaceFamily&)>& change, int gesture = 0);
+  void switchOn(LineFamily family, bool on);
   void editSetting(const std::function<void(SurfaceSetting&)>& change);
   void chooseColour(LineFamily family);
 

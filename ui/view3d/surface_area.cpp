@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/surface_area.h"
 
-#include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QToolButton>
 
-#include "ui/view3d/gl_canvas.h"
-#include "ui/view3d/soft_canvas.h"
+#include "ui/view3d/pane_widget.h"
 #include "ui/view3d/surface_input.h"
-#include "ui/view3d/surface_overlay.h"
 
 namespace flatland::ui {
 
 namespace {
 
-constexpr int kProbeDelayMs = 25;  ///< a moving pointer is looked up at most so often
+constexpr std::size_t kColumns = 2;  ///< of views side by side
 
 }  // namespace
 
@@ -26,14 +25,19 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
       models_(models),
       pages_(new QStackedWidget(this)),
       empty_(new QLabel(this)),
-      progress_(nullptr) {
+      progress_(nullptr),
+      views_(new QWidget(pages_)),
+      grid_(new QGridLayout(views_)) {
   setObjectName("surface-area");
   progress_ = makeProgress();  // not before its own parts have their initial values
   empty_->setObjectName("surface.empty");
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
   empty_->setMargin(24);
+  grid_->setContentsMargins({});
+  grid_->setSpacing(1);
   pages_->addWidget(empty_);
+  pages_->addWidget(views_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins({});
   layout->setSpacing(0);
@@ -44,13 +48,11 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
   connect(&models_.source, &SurfaceSource::progressed, this,
           [this](double share) { bar_->setValue(qRound(100.0 * share)); });
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
-    if (change.touchesSurface()) showState();
-    if (change.what == Change::What::Camera) probeTimer_.start();
+    if (!change.touchesSurface()) return;
+    if (shown_) makePanes();
+    showState();
   });
-  connect(&models_.seen, &SeenSource::failed, this, &SurfaceArea::failed);
-  probeTimer_.setSingleShot(true);
-  probeTimer_.setInterval(kProbeDelayMs);
-  connect(&probeTimer_, &QTimer::timeout, this, &SurfaceArea::probe);
+  connect(&models_.views, &SurfaceViews::failed, this, &SurfaceArea::failed);
   showState();
 }
 
@@ -76,55 +78,71 @@ QWidget* SurfaceArea::makeProgress() {
 
 void SurfaceArea::showEvent(QShowEvent* event) {
   // A first widget of OpenGL makes Qt create the window anew, which it must not while it is shown.
-  if (!canvas_) QMetaObject::invokeMethod(this, &SurfaceArea::makeCanvas, Qt::QueuedConnection);
+  if (!shown_) {
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          shown_ = true;
+          makePanes();
+          showState();
+        },
+        Qt::QueuedConnection);
+  }
   models_.source.setActive(true);
   QWidget::showEvent(event);
 }
 
-void SurfaceArea::makeCanvas() {
-  if (canvas_) return;
-  if (GlCanvas::possible()) {
-    auto* gl = new GlCanvas(models_, pages_);
-    connect(gl, &GlCanvas::failed, this, &SurfaceArea::failed);
-    canvas_ = gl;
-  } else {
-    canvas_ = new SoftCanvas(models_, pages_);
+void SurfaceArea::makePanes() {
+  const std::size_t wanted = models_.views.count();
+  while (panes_.size() > wanted) {
+    // What it shows is gone, and who is in the middle of an event of it must come out again.
+    panes_.back()->hide();
+    panes_.back()->deleteLater();
+    panes_.pop_back();
   }
-  canvas_->setObjectName("surface");
-  canvas_->setAccessibleName(tr("Surface"));
-  canvas_->setMinimumSize(minimumSizeHint());
-  overlay_ = new SurfaceOverlay(models_, canvas_);
-  if (auto* gl = qobject_cast<GlCanvas*>(canvas_)) {
-    connect(gl, &GlCanvas::painted, overlay_, &SurfaceOverlay::setFrameMs);
-  } else {
-    connect(static_cast<SoftCanvas*>(canvas_), &SoftCanvas::painted, overlay_,
-            &SurfaceOverlay::setFrameMs);
-  }
-  input_ = new SurfaceInput(*canvas_, models_);
-  connect(input_, &SurfaceInput::hint, this, &SurfaceArea::hint);
-  connect(input_, &SurfaceInput::spinningChanged, this, &SurfaceArea::spinningChanged);
-  connect(input_, &SurfaceInput::pointedAt, this, [this](const std::optional<QPointF>& px) {
-    pointer_ = px;
-    if (!px) overlay_->setReading(std::nullopt);
-    if (!probeTimer_.isActive()) probeTimer_.start();
-  });
-  canvas_->installEventFilter(this);
-  pages_->addWidget(canvas_);
-  showState();
+  while (panes_.size() < wanted) addPane();
 }
 
-bool SurfaceArea::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == canvas_ && event->type() == QEvent::Resize) overlay_->resize(canvas_->size());
-  return QWidget::eventFilter(watched, event);
+void SurfaceArea::addPane() {
+  auto* pane = new PaneWidget(models_.of(panes_.size()), views_);
+  connect(pane, &PaneWidget::hint, this, &SurfaceArea::hint);
+  connect(pane, &PaneWidget::failed, this, &SurfaceArea::failed);
+  connect(pane, &PaneWidget::spinningChanged, this,
+          [this, pane](bool spins) { spinOnly(*pane, spins); });
+  grid_->addWidget(pane, static_cast<int>(panes_.size() / kColumns),
+                   static_cast<int>(panes_.size() % kColumns));
+  panes_.push_back(pane);
+  pane->show();
+}
+
+QWidget* SurfaceArea::canvas(std::size_t pane) const {
+  return pane < panes_.size() ? panes_[pane]->canvas() : nullptr;
+}
+
+SurfaceOverlay* SurfaceArea::overlay(std::size_t pane) const {
+  return pane < panes_.size() ? panes_[pane]->overlay() : nullptr;
 }
 
 void SurfaceArea::setSpinning(bool spins) {
-  if (input_) input_->setSpinning(spins);
+  for (const PaneWidget* pane : panes_) {
+    if (!spins) pane->input()->setSpinning(false);
+  }
+  const std::size_t active = models_.views.active();
+  if (spins && active < panes_.size()) panes_[active]->input()->setSpinning(true);
+}
+
+void SurfaceArea::spinOnly(const PaneWidget& pane, bool spins) {
+  for (const PaneWidget* other : panes_) {
+    if (other == &pane || !spins) continue;
+    const QSignalBlocker quiet(other->input());
+    other->input()->setSpinning(false);
+  }
+  emit spinningChanged(spins);
 }
 
 void SurfaceArea::showState() {
-  const bool there = canvas_ && models_.source.surface();
-  pages_->setCurrentWidget(there ? canvas_ : empty_);
+  const bool there = !panes_.empty() && models_.source.surface();
+  pages_->setCurrentWidget(there ? views_ : empty_);
   progress_->setVisible(models_.source.isBusy());
   if (models_.source.isBusy()) {
     const bool reading = models_.source.isReading();
@@ -137,18 +155,6 @@ void SurfaceArea::showState() {
       setting ? QString::fromStdString(surfaceName(setting->mesh))
               : tr("No surface yet. Open a mesh (PLY, OBJ, STL, OFF, glTF) by Surface > Open Mesh, "
                    "drop one here, or take one of Surface > Solids."));
-}
-
-void SurfaceArea::probe() {
-  const auto& surface = models_.source.surface();
-  const auto& setting = models_.document.scene().surface;
-  if (!overlay_ || !pointer_ || !surface || !setting) {
-    if (overlay_) overlay_->setReading(std::nullopt);
-    return;
-  }
-  const Projection projection =
-      orbitProjection(setting->camera, surface->ballRadius, canvas_->width(), canvas_->height());
-  overlay_->setReading(readingAt(*surface, projection, {pointer_->x(), pointer_->y()}));
 }
 
 }  // namespace flatland::ui

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
-#include <optional>
+#include <vector>
 
 #include "ui/view3d/surface_models.h"
 
+class QGridLayout;
 class QLabel;
 class QProgressBar;
 class QStackedWidget;
@@ -14,21 +14,23 @@ class QToolButton;
 
 namespace flatland::ui {
 
-class SurfaceInput;
+class PaneWidget;
 class SurfaceOverlay;
 
-/// The view of the surface: its picture with words over it, how far reading has come, and what to
-/// do where there is no surface. The picture is by OpenGL where that is possible, else painted.
-/// Nothing is read or drawn before it is shown for the first time.
+/// The views of the surface side by side, how far reading has come, and what to do where there is
+/// no surface. Nothing is read or drawn before it is shown for the first time.
 class SurfaceArea : public QWidget {
   Q_OBJECT
 
  public:
   explicit SurfaceArea(const SurfaceModels& models, QWidget* parent = nullptr);
 
-  /// What shows the surface; null before the area was shown.
-  QWidget* canvas() const { return canvas_; }
-  SurfaceOverlay* overlay() const { return overlay_; }
+  /// What shows the surface in a view, and the words over it; null before the area was shown, or if
+  /// there are not so many views.
+  QWidget* canvas(std::size_t pane = 0) const;
+  SurfaceOverlay* overlay(std::size_t pane = 0) const;
+
+  /// The view that panels are about turns on and on, or none does.
   void setSpinning(bool spins);
 
   QSize sizeHint() const override { return {720, 560}; }
@@ -41,13 +43,13 @@ class SurfaceArea : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QWidget* makeProgress();
-  void makeCanvas();
+  void makePanes();
+  void addPane();
+  void spinOnly(const PaneWidget& pane, bool spins);
   void showState();
-  void probe();
 
   SurfaceModels models_;
   QStackedWidget* pages_;
@@ -55,11 +57,10 @@ class SurfaceArea : public QWidget {
   QWidget* progress_;
   QLabel* doing_ = nullptr;
   QProgressBar* bar_ = nullptr;
-  QWidget* canvas_ = nullptr;
-  SurfaceInput* input_ = nullptr;
-  SurfaceOverlay* overlay_ = nullptr;
-  std::optional<QPointF> pointer_;
-  QTimer probeTimer_;
+  QWidget* views_;
+  QGridLayout* grid_;
+  std::vector<PaneWidget*> panes_;  ///< owned by views_
+  bool shown_ = false;
 };
 
 }  // namespace flatland::ui

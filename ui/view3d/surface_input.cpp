@@ -64,9 +64,7 @@ SurfaceInput::SurfaceInput(QWidget& canvas, const SurfaceModels& models)
   canvas.installEventFilter(this);
   spin_.setInterval(kSpinIntervalMs);
   connect(&spin_, &QTimer::timeout, this, [this] {
-    if (models_.document.scene().surface && drag_ == Drag::None) {
-      models_.document.setCamera(spun(camera(), kSpinStepRad));
-    }
+    if (models_.there() && drag_ == Drag::None) setCamera(spun(camera(), kSpinStepRad));
   });
 }
 
@@ -81,11 +79,11 @@ Projection SurfaceInput::projection() const {
   return orbitProjection(camera(), radius, canvas_.width(), canvas_.height());
 }
 
-void SurfaceInput::setCamera(const SurfaceCamera& camera) { models_.document.setCamera(camera); }
+void SurfaceInput::setCamera(const SurfaceCamera& camera) { models_.setCamera(camera); }
 
 bool SurfaceInput::eventFilter(QObject*, QEvent* event) {
   if (event->type() == QEvent::Leave) emit pointedAt(std::nullopt);
-  if (!models_.document.scene().surface) return false;
+  if (!models_.there()) return false;
   switch (event->type()) {
     case QEvent::MouseButtonPress:
       return press(static_cast<const QMouseEvent&>(*event));

@@ -16,9 +16,9 @@ class QWheelEvent;
 namespace flatland::ui {
 
 /// What mouse, trackpad and keys do to the camera, on whatever widget shows the surface. Every
-/// motion is Document::setCamera(); Esc takes a drag back, stops spinning, or drops the pick. A
-/// click without a drag picks the place under it, on the background none; P picks in the middle of
-/// the picture.
+/// motion moves the camera of the view (SurfaceModels::setCamera); Esc takes a drag back, stops
+/// spinning, or drops the pick. A click without a drag picks the place under it, on the background
+/// none; P picks in the middle of the picture.
 class SurfaceInput : public QObject {
   Q_OBJECT
 
@@ -47,7 +47,7 @@ class SurfaceInput : public QObject {
   void endDrag();
   void pickAt(const QPointF& px);
   void setCamera(const SurfaceCamera& camera);
-  const SurfaceCamera& camera() const { return models_.document.scene().surface->camera; }
+  const SurfaceCamera& camera() const { return models_.camera(); }
   Projection projection() const;
 
   QWidget& canvas_;

@@ -3,19 +3,35 @@
 
 #include "ui/model/display.h"
 #include "ui/model/document.h"
-#include "ui/model/seen_surface.h"
 #include "ui/model/surface_pick.h"
 #include "ui/model/surface_source.h"
+#include "ui/model/surface_views.h"
 
 namespace flatland::ui {
 
-/// What a view of the surface looks at and acts on; all of it outlives the view.
+/// What one view of the surface looks at and acts on; all of it outlives the view.
 struct SurfaceModels {
   Document& document;
   SurfaceSource& source;
-  SeenSource& seen;
+  SeenSource& seen;  ///< of this view
   Display& display;
   SurfacePick& pick;
+  SurfaceViews& views;
+  std::size_t pane = 0;  ///< which of the views it is
+
+  /// The same for another of the views.
+  SurfaceModels of(std::size_t other) const {
+    return {document, source, views.seen(other), display, pick, views, other};
+  }
+
+  /// True if the document has a surface, and so many views of it.
+  bool there() const { return document.scene().surface && pane < views.count(); }
+
+  /// How this view is drawn, and from where it is looked at. Precondition: there().
+  PaneSetting setting() const { return paneSetting(*document.scene().surface, pane); }
+  const SurfaceCamera& camera() const { return paneCamera(*document.scene().surface, pane); }
+  /// Moves the camera of this view, which may be that of others too. Precondition: there().
+  void setCamera(const SurfaceCamera& camera) const { document.setCamera(camera, pane); }
 };
 
 }  // namespace flatland::ui

@@ -105,7 +105,7 @@ QStringList SurfaceOverlay::readingLines() const {
                  .arg(number(terms->nw), terms->lambda ? number(*terms->lambda) : tr("none"));
     lines << tr("feature %1").arg(number(terms->feature));
     lines << tr("offset %1").arg(number(terms->offset));
-    if (models_.document.scene().surface->camera.perspectiveDeg) {
+    if (models_.there() && models_.camera().perspectiveDeg) {
       lines << tr("perspective %1").arg(number(terms->perspective));
     }
     if (const std::optional<double> share = terms->offsetShare()) {

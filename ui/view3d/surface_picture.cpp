@@ -242,11 +242,12 @@ const VertexColours* SurfacePicture::colours() const {
 
 SurfacePicture pictureOf(const SurfaceModels& models) {
   SurfacePicture picture;
-  const std::optional<SurfaceSetting>& setting = models.document.scene().surface;
   picture.palette = themePalette();
   picture.lineScale = models.display.uiScale();
-  if (!setting) return picture;
-  picture.setting = *setting;
+  if (!models.there()) return picture;
+  const PaneSetting pane = models.setting();
+  picture.setting = pane.surface;
+  picture.setting.camera = pane.camera;
   picture.surface = models.source.surface();
   picture.seen = models.seen.seen();
   return picture;

@@ -17,7 +17,7 @@ namespace flatland::ui {
 struct SurfacePicture {
   std::shared_ptr<const LoadedSurface> surface;  ///< null: an empty picture
   std::shared_ptr<const SeenSurface> seen;       ///< null: no lines yet
-  SurfaceSetting setting;
+  SurfaceSetting setting;  ///< of this view alone; its camera is that it is looked at from
   Palette palette = Palette::Light;
   double lineScale = 1.0;  ///< of the widths
 
@@ -25,7 +25,7 @@ struct SurfacePicture {
   const VertexColours* colours() const;
 };
 
-/// What the models show now.
+/// What a view shows now.
 SurfacePicture pictureOf(const SurfaceModels& models);
 
 /// Colours of a style, each 0 to 1; the OpenGL picture and the painted one read the same.

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/pane_widget.h"
+
+#include <QEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/view3d/gl_canvas.h"
+#include "ui/view3d/pane_menu.h"
+#include "ui/view3d/soft_canvas.h"
+#include "ui/view3d/surface_input.h"
+#include "ui/view3d/surface_overlay.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr int kProbeDelayMs = 25;  ///< a moving pointer is looked up at most so often
+constexpr int kFramePx = 2;        ///< around the view that panels are about
+
+}  // namespace
+
+PaneWidget::PaneWidget(const SurfaceModels& models, QWidget* parent)
+    : QWidget(parent), models_(models), title_(new QToolButton(this)) {
+  const QString id = QStringLiteral("surface.pane.%1").arg(models_.pane);
+  setObjectName(id);
+  title_->setObjectName(id + ".menu");
+  title_->setToolTip(tr("What this view shows"));
+  title_->setAutoRaise(true);
+  title_->setPopupMode(QToolButton::InstantPopup);
+  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  auto* menu = new QMenu(title_);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    models_.views.setActive(models_.pane);
+    fillPaneMenu(*menu, models_);
+  });
+  title_->setMenu(menu);
+  auto* layout = new QVBoxLayout(this);
+  layout->setSpacing(0);
+  layout->addWidget(title_);
+  makeCanvas();
+  layout->addWidget(canvas_, 1);
+  connect(&models_.document, &Document::changed, this, [this](const Change& change) {
+    if (change.touchesSurface()) showSetting();
+    if (change.what == Change::What::Camera) probeTimer_.start();
+  });
+  connect(&models_.views, &SurfaceViews::activeChanged, this, qOverload<>(&QWidget::update));
+  probeTimer_.setSingleShot(true);
+  probeTimer_.setInterval(kProbeDelayMs);
+  connect(&probeTimer_, &QTimer::timeout, this, &PaneWidget::probe);
+  showSetting();
+}
+
+void PaneWidget::makeCanvas() {
+  if (GlCanvas::possible()) {
+    auto* gl = new GlCanvas(models_, this);
+    connect(gl, &GlCanvas::failed, this, &PaneWidget::failed);
+    canvas_ = gl;
+  } else {
+    canvas_ = new SoftCanvas(models_, this);
+  }
+  const bool first = models_.pane == 0;
+  canvas_->setObjectName(first ? QStringLiteral("surface.canvas")
+                               : QStringLiteral("surface.canvas.%1").arg(models_.pane));
+  canvas_->setAccessibleName(first ? tr("Picture of the surface")
+                                   : tr("Picture of the surface, view %1").arg(models_.pane + 1));
+  overlay_ = new SurfaceOverlay(models_, canvas_);
+  if (auto* gl = qobject_cast<GlCanvas*>(canvas_)) {
+    connect(gl, &GlCanvas::painted, overlay_, &SurfaceOverlay::setFrameMs);
+  } else {
+    connect(static_cast<SoftCanvas*>(canvas_), &SoftCanvas::painted, overlay_,
+            &SurfaceOverlay::setFrameMs);
+  }
+  input_ = new SurfaceInput(*canvas_, models_);
+  connect(input_, &SurfaceInput::hint, this, &PaneWidget::hint);
+  connect(input_, &SurfaceInput::spinningChanged, this, &PaneWidget::spinningChanged);
+  connect(input_, &SurfaceInput::pointedAt, this, [this](const std::optional<QPointF>& px) {
+    pointer_ = px;
+    if (!px) overlay_->setReading(std::nullopt);
+    if (!probeTimer_.isActive()) probeTimer_.start();
+  });
+  canvas_->installEventFilter(this);
+}
+
+bool PaneWidget::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == canvas_ && event->type() == QEvent::Resize) overlay_->resize(canvas_->size());
+  if (watched == canvas_ && event->type() == QEvent::FocusIn) {
+    models_.views.setActive(models_.pane);
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void PaneWidget::showSetting() {
+  const bool several = models_.views.count() > 1;
+  title_->setVisible(several);
+  if (several && models_.there()) {
+    title_->setText(paneWords(models_));
+    title_->setAccessibleName(tr("View %1: %2").arg(models_.pane + 1).arg(title_->text()));
+  }
+  const int frame = several ? kFramePx : 0;
+  layout()->setContentsMargins(frame, frame, frame, frame);
+  update();
+}
+
+void PaneWidget::paintEvent(QPaintEvent*) {
+  if (models_.views.count() < 2 || models_.views.active() != models_.pane) return;
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().highlight());
+  const QRect inner = rect().adjusted(kFramePx, kFramePx, -kFramePx, -kFramePx);
+  painter.fillRect(inner, palette().window());
+}
+
+void PaneWidget::probe() {
+  const auto& surface = models_.source.surface();
+  if (!pointer_ || !surface || !models_.there()) return overlay_->setReading(std::nullopt);
+  const Projection projection =
+      orbitProjection(models_.camera(), surface->ballRadius, canvas_->width(), canvas_->height());
+  overlay_->setReading(readingAt(*surface, projection, {pointer_->x(), pointer_->y()}));
+}
+
+}  // namespace flatland::ui
