@@ -57,9 +57,6 @@ bool mayBeOutline(LineFamily family) {
   return family == LineFamily::OccludingContours || family == LineFamily::Boundaries;
 }
 
-// The threshold of creases is an angle that says what an edge is, and not how much is drawn.
-bool movesWithInk(LineFamily family) { return family != LineFamily::Creases; }
-
 std::size_t indexOf(LineFamily family) { return static_cast<std::size_t>(family); }
 
 // What is seen at the places of one chain.
@@ -354,6 +351,8 @@ Drawing composeNominal(const FeatureLines& found, const Sight& sight, const Proj
 }
 
 }  // namespace
+
+bool movesWithInk(LineFamily family) { return family != LineFamily::Creases; }
 
 LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes) {
   LineOptions asked = lines;

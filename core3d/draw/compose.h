@@ -11,6 +11,10 @@ namespace flatland {
 /// families that exterior silhouettes are picked from.
 LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes);
 
+/// True if the family's threshold says how much is drawn, so that ink may change it. That of
+/// creases is an angle that says what an edge is.
+bool movesWithInk(LineFamily family);
+
 /// Makes strokes from the lines that were found: chains them, asks what is seen of them, filters,
 /// solves for ink, simplifies. `lines` are the options of the drawing, not linesToFind of them.
 /// With LineOptions::unfiltered strokes are neither filtered by strength nor by length.

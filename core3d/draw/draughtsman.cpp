@@ -46,15 +46,25 @@ const Draughtsman::Preparation& Draughtsman::preparation() const { return state_
 
 Drawing Draughtsman::draw(const Projection& projection, const LineOptions& lines,
                           const StrokeOptions& strokes) {
-  Drawing stopped;
-  stopped.projection = projection;
-  const FeatureLines found = state_->finder.find(projection.view(), linesToFind(lines, strokes));
-  if (strokes.stop.stop_requested()) return stopped;
+  return draw(projection, projection.view(), lines, strokes);
+}
+
+Drawing Draughtsman::draw(const Projection& projection, const FeatureLines& found,
+                          const LineOptions& lines, const StrokeOptions& strokes) {
   if (!state_->sight) {
     state_->sight =
         timed(state_->preparation.raysMs, [this] { return Sight(*state_->mesh, *state_->fields); });
   }
-  Drawing drawing = composeDrawing(found, *state_->sight, projection, lines, strokes);
+  return composeDrawing(found, *state_->sight, projection, lines, strokes);
+}
+
+Drawing Draughtsman::draw(const Projection& projection, const SurfaceView& view,
+                          const LineOptions& lines, const StrokeOptions& strokes) {
+  Drawing stopped;
+  stopped.projection = projection;
+  const FeatureLines found = state_->finder.find(view, linesToFind(lines, strokes));
+  if (strokes.stop.stop_requested()) return stopped;
+  Drawing drawing = draw(projection, found, lines, strokes);
   const LineFinder::Times& times = state_->finder.times();
   drawing.stats.vertexMs = times.vertexMs;
   drawing.stats.segmentMs = times.segmentMs + times.fixedMs;

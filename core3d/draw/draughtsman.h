@@ -21,6 +21,14 @@ class Draughtsman {
   Drawing draw(const Projection& projection, const LineOptions& lines,
                const StrokeOptions& strokes);
 
+  /// The lines that are found for `view`, looked at from elsewhere.
+  Drawing draw(const Projection& projection, const SurfaceView& view, const LineOptions& lines,
+               const StrokeOptions& strokes);
+
+  /// Lines that are given, as the families they stand for, with what hides them.
+  Drawing draw(const Projection& projection, const FeatureLines& found, const LineOptions& lines,
+               const StrokeOptions& strokes);
+
   /// What was prepared once for all drawings, wall clock.
   struct Preparation {
     double linesMs = 0.0;  ///< what a LineFinder keeps

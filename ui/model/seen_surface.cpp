@@ -4,6 +4,8 @@
 #include <chrono>
 #include <mutex>
 
+#include "core3d/draw/line_difference.h"
+#include "core3d/study/line_distances.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
 
@@ -28,6 +30,12 @@ std::vector<LineVertex> verticesOf(const std::vector<LineSegment>& segments) {
   return vertices;
 }
 
+std::vector<LineSegment> allOf(const FeatureLines& lines) {
+  std::vector<LineSegment> all;
+  for (const auto& family : lines.segments) all.insert(all.end(), family.begin(), family.end());
+  return all;
+}
+
 /// What a search depends on: not from where its lines are looked at, nor what else is shown.
 PaneSetting findingPart(PaneSetting pane) {
   SurfaceSetting& surface = pane.surface;
@@ -48,8 +56,9 @@ PaneSetting findingPart(PaneSetting pane) {
 struct SeenSource::Worker {
   explicit Worker(std::shared_ptr<const LoadedSurface> of) : surface(std::move(of)) {}
 
-  std::shared_ptr<const SeenSurface> search(const PaneSetting& pane, const SurfaceView& view) {
+  std::shared_ptr<const SeenSurface> search(const Wanted& wanted, const SurfaceView& view) {
     const std::lock_guard lock(turn);
+    const PaneSetting& pane = wanted.pane;
     if (!finder) finder.emplace(*surface->mesh, *surface->fields);
     auto seen = std::make_shared<SeenSurface>();
     seen->surface = surface;
@@ -57,6 +66,9 @@ struct SeenSource::Worker {
     const auto start = Clock::now();
     const FeatureLines lines = finder->find(view, lineOptionsOf(pane));
     seen->lineMs = millisecondsSince(start);
+    if (wanted.first) {
+      seen->difference = compared(lines, finder->find(view, lineOptionsOf(*wanted.first)));
+    }
     for (const LineFamily family : allLineFamilies()) {
       seen->lines[static_cast<std::size_t>(family)] = verticesOf(lines.of(family));
     }
@@ -69,17 +81,33 @@ struct SeenSource::Worker {
     return seen;
   }
 
+  SeenDifference compared(const FeatureLines& lines, const FeatureLines& first) {
+    if (!tolerance) tolerance = meanEdge(*surface->mesh) / surface->mesh->unit;
+    SeenDifference seen;
+    seen.tolerance = *tolerance;
+    LineDifference found = differenceOf(allOf(lines), allOf(first), seen.tolerance);
+    seen.addedShare = found.addedShare();
+    seen.missingShare = found.missingShare();
+    seen.pieces = {std::move(found.common), std::move(found.added), std::move(found.missing)};
+    for (std::size_t i = 0; i < SeenDifference::kParts; ++i) {
+      seen.lines[i] = verticesOf(seen.pieces[i]);
+    }
+    return seen;
+  }
+
   std::mutex turn;
   std::shared_ptr<const LoadedSurface> surface;
   std::optional<LineFinder> finder;  ///< made by the first search
+  std::optional<double> tolerance;   ///< likewise
 };
 
 SeenSource::SeenSource(const Document& document, const SurfaceSource& source, std::size_t pane,
-                       const SeenSource* first, QObject* parent)
-    : QObject(parent), document_(document), source_(source), pane_(pane), first_(first) {
+                       const SeenSource* first, const InkSource* ink, QObject* parent)
+    : QObject(parent), document_(document), source_(source), pane_(pane), first_(first), ink_(ink) {
   connect(&document_, &Document::changed, this, &SeenSource::follow);
   connect(&source_, &SurfaceSource::changed, this, &SeenSource::surfaceChanged);
   connect(&job_, &Job::failed, this, &SeenSource::failed);
+  if (ink_) connect(ink_, &InkSource::changed, this, &SeenSource::search);
   if (first_) {
     connect(first_, &SeenSource::changed, this, [this] {
       if (borrows_) borrow();
@@ -122,8 +150,14 @@ void SeenSource::borrow() {
 void SeenSource::search() {
   const std::optional<SurfaceSetting>& setting = document_.scene().surface;
   const bool there = setting && pane_ < paneCount(*setting);
-  const PaneSetting wanted = there ? findingPart(paneSetting(*setting, pane_)) : PaneSetting{};
-  borrows_ = there && first_ && wanted == findingPart(paneSetting(*setting, 0));
+  Wanted wanted;
+  if (there) wanted.pane = wantedOf(pane_);
+  borrows_ = false;
+  if (there && first_) {
+    PaneSetting first = wantedOf(0);
+    borrows_ = wanted.pane == first;
+    if (wanted.pane.difference) wanted.first = std::move(first);
+  }
   if (borrows_ || !there) {
     job_.cancel();
     again_ = false;
@@ -139,12 +173,17 @@ void SeenSource::search() {
   if (!again_) start(wanted);
 }
 
-void SeenSource::start(const PaneSetting& wanted) {
+PaneSetting SeenSource::wantedOf(std::size_t pane) const {
+  const PaneSetting asked = paneSetting(*document_.scene().surface, pane);
+  return findingPart(ink_ ? ink_->withInk(asked, pane) : asked);
+}
+
+void SeenSource::start(const Wanted& wanted) {
   asked_ = wanted;
   // The view depends on where the viewer stands, not on the size of the picture.
   constexpr double kAnySize = 100.0;
   const SurfaceView view =
-      orbitProjection(wanted.surface.camera, worker_->surface->ballRadius, kAnySize, kAnySize)
+      orbitProjection(wanted.pane.surface.camera, worker_->surface->ballRadius, kAnySize, kAnySize)
           .view();
   using Data = std::shared_ptr<const SeenSurface>;
   job_.start<Data>(

@@ -9,6 +9,7 @@
 
 #include "core3d/lines/line_finder.h"
 #include "ui/jobs/job.h"
+#include "ui/model/ink_source.h"
 #include "ui/model/surface_colours.h"
 #include "ui/model/surface_panes.h"
 #include "ui/model/surface_source.h"
@@ -21,13 +22,25 @@ struct LineVertex {
   float strength;
 };
 
+/// How the lines of a view differ from those of the first view (core3d/draw/line_difference.h).
+struct SeenDifference {
+  enum Part { Common, Added, Missing };
+  static constexpr std::size_t kParts = 3;
+  std::array<std::vector<LineSegment>, kParts> pieces;
+  std::array<std::vector<LineVertex>, kParts> lines;  ///< the same to be drawn
+  double addedShare = 0.0;                            ///< of the length of the view's lines
+  double missingShare = 0.0;                          ///< of the length of the first view's lines
+  double tolerance = 0.0;                             ///< coordinates of the mesh: its mean edge
+};
+
 /// What was found on the surface for one view of it.
 struct SeenSurface {
   std::shared_ptr<const LoadedSurface> surface;
   SurfaceView view;
   std::array<std::vector<LineVertex>, kLineFamilyCount> lines;
-  std::optional<VertexColours> colours;  ///< of the quantity asked for
-  double lineMs = 0.0;                   ///< looking for the lines
+  std::optional<SeenDifference> difference;  ///< if the view shows that
+  std::optional<VertexColours> colours;      ///< of the quantity asked for
+  double lineMs = 0.0;                       ///< looking for the lines
   double colourMs = 0.0;
 };
 
@@ -42,7 +55,8 @@ class SeenSource : public QObject {
   /// For the view of this number. `first`, the source of view 0, outlives this one: where both look
   /// for the same lines they are found once.
   SeenSource(const Document& document, const SurfaceSource& source, std::size_t pane = 0,
-             const SeenSource* first = nullptr, QObject* parent = nullptr);
+             const SeenSource* first = nullptr, const InkSource* ink = nullptr,
+             QObject* parent = nullptr);
   ~SeenSource() override;
 
   /// Null if there is no such view, or no surface with fields yet.
@@ -58,10 +72,18 @@ class SeenSource : public QObject {
 
  private:
   struct Worker;
+  /// What a search is asked for: the view, and the first one where it is compared with that.
+  struct Wanted {
+    PaneSetting pane;
+    std::optional<PaneSetting> first;
+
+    bool operator==(const Wanted&) const = default;
+  };
   void follow(const Change& change);
   void surfaceChanged();
   void search();
-  void start(const PaneSetting& wanted);
+  PaneSetting wantedOf(std::size_t pane) const;
+  void start(const Wanted& wanted);
   void borrow();
   void drop();
 
@@ -69,10 +91,11 @@ class SeenSource : public QObject {
   const SurfaceSource& source_;
   const std::size_t pane_;
   const SeenSource* first_;
+  const InkSource* ink_;  ///< null: thresholds as given
   Job job_;
   std::shared_ptr<Worker> worker_;  ///< of the surface there is, shared with its jobs
   std::shared_ptr<const SeenSurface> seen_;
-  std::optional<PaneSetting> asked_;  ///< of the last search
+  std::optional<Wanted> asked_;  ///< of the last search
   bool again_ = false;
   bool borrows_ = false;  ///< what the first view found
   int searches_ = 0;

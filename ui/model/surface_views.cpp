@@ -6,20 +6,21 @@
 namespace flatland::ui {
 
 SurfaceViews::SurfaceViews(const Document& document, const SurfaceSource& source, QObject* parent)
-    : QObject(parent), document_(document) {
+    : QObject(parent), document_(document), ink_(document, source) {
   for (std::size_t pane = 0; pane <= kMostPanes; ++pane) {
     SeenSource* first = seen_.empty() ? nullptr : seen_.front().get();
-    seen_.push_back(std::make_unique<SeenSource>(document, source, pane, first));
+    seen_.push_back(std::make_unique<SeenSource>(document, source, pane, first, &ink_));
     connect(seen_.back().get(), &SeenSource::failed, this, &SurfaceViews::failed);
   }
+  connect(&ink_, &InkSource::failed, this, &SurfaceViews::failed);
   connect(&document_, &Document::changed, this, [this](const Change& change) {
     if (change.touchesSurface() && active_ >= count()) setActive(0);
   });
 }
 
 bool SurfaceViews::isStale() const {
-  return std::any_of(seen_.begin(), seen_.end(),
-                     [](const auto& source) { return source->isStale(); });
+  return ink_.isStale() || std::any_of(seen_.begin(), seen_.end(),
+                                       [](const auto& source) { return source->isStale(); });
 }
 
 std::size_t SurfaceViews::count() const {

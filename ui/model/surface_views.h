@@ -17,8 +17,16 @@ class SurfaceViews : public QObject {
  public:
   SurfaceViews(const Document& document, const SurfaceSource& source, QObject* parent = nullptr);
 
+  const InkSource& ink() const { return ink_; }
+
   /// There are 1 + kMostPanes of them, whatever the document shows.
   SeenSource& seen(std::size_t pane) { return *seen_[pane]; }
+
+  /// How a view is drawn, with the thresholds that its ink needs. Precondition: there is a surface,
+  /// and such a view.
+  PaneSetting setting(std::size_t pane) const {
+    return ink_.withInk(paneSetting(*document_.scene().surface, pane), pane);
+  }
 
   /// True while one of them is of another camera or other settings.
   bool isStale() const;
@@ -35,6 +43,7 @@ class SurfaceViews : public QObject {
 
  private:
   const Document& document_;
+  InkSource ink_;
   std::vector<std::unique_ptr<SeenSource>> seen_;
   std::size_t active_ = 0;
 };

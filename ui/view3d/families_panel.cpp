@@ -19,6 +19,7 @@
 #include "ui/export/line_style.h"
 #include "ui/model/core_words.h"
 #include "ui/model/theme.h"
+#include "ui/view3d/ink_row.h"
 
 namespace flatland::ui {
 
@@ -179,6 +180,7 @@ QWidget* FamiliesPanel::makeCommon() {
     editSetting([on](SurfaceSetting& setting) { setting.unfiltered = on; });
   });
   form->addRow(unfiltered_);
+  form->addRow(new InkRow(models_, common));
   const auto levels = [&](const char* id, const QString& tip, int SurfaceSetting::*count) {
     auto* box = new QSpinBox(common);
     box->setObjectName(id);

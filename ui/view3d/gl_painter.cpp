@@ -81,12 +81,16 @@ void GlPainter::sendColours(const SurfacePicture& picture) {
 void GlPainter::sendLines(const SurfacePicture& picture) {
   if (picture.seen == seen_) return;
   seen_ = picture.seen;
-  ranges_ = {};
+  starts_.clear();
   std::vector<LineVertex> all;
+  const auto add = [&](const std::vector<LineVertex>& ends) {
+    starts_[&ends] = static_cast<int>(all.size());
+    all.insert(all.end(), ends.begin(), ends.end());
+  };
   if (seen_) {
-    for (std::size_t f = 0; f < kLineFamilyCount; ++f) {
-      ranges_[f] = {static_cast<int>(all.size()), static_cast<int>(seen_->lines[f].size())};
-      all.insert(all.end(), seen_->lines[f].begin(), seen_->lines[f].end());
+    for (const auto& ends : seen_->lines) add(ends);
+    if (seen_->difference) {
+      for (const auto& ends : seen_->difference->lines) add(ends);
     }
   }
   const QOpenGLVertexArrayObject::Binder bound(&lineArrays_);
@@ -124,17 +128,14 @@ void GlPainter::paintLines(const SurfacePicture& picture, const QSize& pixels, d
   lineProgram_.setUniformValue("dashPx", dashed ? kDashPx * static_cast<float>(pixelRatio) : 0.0f);
   lineProgram_.setUniformValue("opacity", dashed ? kHiddenInk : 1.0f);
   const QOpenGLVertexArrayObject::Binder bound(&lineArrays_);
-  for (const LineFamily family : allLineFamilies()) {
-    const SurfaceFamily look = familyOf(picture.setting, family);
-    const Range& range = ranges_[static_cast<std::size_t>(family)];
-    if (!look.on || range.count == 0) continue;
-    const Rgb colour = colourOf(look, picture.palette);
+  for (const LineLayer& layer : lineLayers(picture)) {
+    if (layer.ends->empty()) continue;
+    const Rgb colour = layer.colour;
     lineProgram_.setUniformValue("colour", QVector3D(colour.r, colour.g, colour.b) / 255.0f);
-    const bool fades = look.fade && !picture.setting.unfiltered;
-    lineProgram_.setUniformValue("threshold", fades ? static_cast<float>(look.threshold) : 0.0f);
+    lineProgram_.setUniformValue("threshold", static_cast<float>(layer.threshold));
     lineProgram_.setUniformValue(
-        "halfWidth", static_cast<float>(0.5 * look.widthPx * picture.lineScale * pixelRatio));
-    glDrawArrays(GL_LINES, range.first, range.count);
+        "halfWidth", static_cast<float>(0.5 * layer.widthPx * picture.lineScale * pixelRatio));
+    glDrawArrays(GL_LINES, starts_.at(layer.ends), static_cast<int>(layer.ends->size()));
   }
 }
 
@@ -164,21 +165,18 @@ void GlPainter::paint(const SurfacePicture& picture, const QSize& pixels, double
   glDisable(GL_CULL_FACE);
   glDepthFunc(GL_LESS);
   paintMesh(picture);
-  // Lines of one surface hide nothing.
-  const bool ofThis = picture.seen && picture.seen->surface->mesh == mesh_;
-  if (ofThis) {
-    glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    if (hiddenOf(picture.setting) != HiddenLines::Off) {
-      glDepthFunc(GL_GREATER);
-      paintLines(picture, pixels, pixelRatio, true);
-    }
-    glDepthFunc(GL_LEQUAL);
-    paintLines(picture, pixels, pixelRatio, false);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+  // Lines hide nothing.
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  if (hiddenOf(picture.setting) != HiddenLines::Off) {
+    glDepthFunc(GL_GREATER);
+    paintLines(picture, pixels, pixelRatio, true);
   }
+  glDepthFunc(GL_LEQUAL);
+  paintLines(picture, pixels, pixelRatio, false);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
 }
 

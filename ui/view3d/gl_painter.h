@@ -6,7 +6,7 @@
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 #include <QSize>
-#include <array>
+#include <map>
 #include <memory>
 
 #include "ui/view3d/surface_picture.h"
@@ -40,10 +40,7 @@ class GlPainter : protected QOpenGLExtraFunctions {
   QOpenGLShaderProgram meshProgram_, lineProgram_;
   QOpenGLVertexArrayObject meshArrays_, lineArrays_;
   QOpenGLBuffer positions_, normals_, colours_, indices_{QOpenGLBuffer::IndexBuffer}, lines_;
-  struct Range {
-    int first = 0, count = 0;
-  };
-  std::array<Range, kLineFamilyCount> ranges_{};
+  std::map<const std::vector<LineVertex>*, int> starts_;  ///< in lines_, of what seen_ has
   int indexCount_ = 0;
   bool hasColours_ = false;
   std::shared_ptr<const TriangleMesh> mesh_;  ///< the one on the card

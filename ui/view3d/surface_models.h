@@ -28,7 +28,7 @@ struct SurfaceModels {
   bool there() const { return document.scene().surface && pane < views.count(); }
 
   /// How this view is drawn, and from where it is looked at. Precondition: there().
-  PaneSetting setting() const { return paneSetting(*document.scene().surface, pane); }
+  PaneSetting setting() const { return views.setting(pane); }
   const SurfaceCamera& camera() const { return paneCamera(*document.scene().surface, pane); }
   /// Moves the camera of this view, which may be that of others too. Precondition: there().
   void setCamera(const SurfaceCamera& camera) const { document.setCamera(camera, pane); }

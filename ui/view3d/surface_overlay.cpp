@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/view3d/pane_marks.h"
 #include "ui/view3d/pick_marks.h"
 #include "ui/view3d/surface_picture.h"
 
@@ -59,6 +60,7 @@ SurfaceOverlay::SurfaceOverlay(const SurfaceModels& models, QWidget* parent)
   connect(&models_.seen, &SeenSource::changed, this, repaint);
   connect(&models_.display, &Display::changed, this, repaint);
   connect(&models_.pick, &SurfacePick::changed, this, repaint);
+  connect(&models_.views.ink(), &InkSource::changed, this, repaint);
 }
 
 void SurfaceOverlay::setFrameMs(double milliseconds) {
@@ -91,8 +93,10 @@ QStringList SurfaceOverlay::timeLines() const {
   if (const auto& seen = models_.seen.seen()) {
     lines << tr("Lines %1 ms").arg(milliseconds(seen->lineMs));
   }
-  return lines;
+  return lines + inkLines(models_);
 }
+
+QStringList SurfaceOverlay::differenceWords() const { return differenceLines(models_); }
 
 QStringList SurfaceOverlay::readingLines() const {
   if (!reading_) return {};
@@ -122,13 +126,15 @@ void SurfaceOverlay::paintEvent(QPaintEvent*) {
   painter.setPen(QColor(colours.text.r, colours.text.g, colours.text.b));
   painter.setBackground(QColor(colours.background.r, colours.background.g, colours.background.b));
   if (picture.surface) {
-    paintPick(
-        painter, models_,
-        orbitProjection(picture.setting.camera, picture.surface->ballRadius, width(), height()));
+    const Projection projection =
+        orbitProjection(picture.setting.camera, picture.surface->ballRadius, width(), height());
+    paintPick(painter, models_, projection);
+    paintFirstCamera(painter, models_, projection);
   }
   paintLines(painter, rect(), titleLines(), Qt::AlignLeft | Qt::AlignTop);
   paintLines(painter, rect(), timeLines(), Qt::AlignRight | Qt::AlignTop);
   paintLines(painter, rect(), readingLines(), Qt::AlignLeft | Qt::AlignBottom);
+  paintDifferenceLegend(painter, rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), models_);
   paintLegend(painter);
 }
 

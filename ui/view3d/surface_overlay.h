@@ -24,6 +24,7 @@ class SurfaceOverlay : public QWidget {
   QStringList titleLines() const;
   QStringList timeLines() const;
   QStringList readingLines() const;
+  QStringList differenceWords() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

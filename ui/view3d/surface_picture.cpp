@@ -58,7 +58,7 @@ class Painter {
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) corners_.push_back(cornerOf(v));
     for (const auto& triangle : mesh.triangles) paintTriangle(triangle);
     QImage small = image_.scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    if (picture_.seen && picture_.seen->surface->mesh == picture_.surface->mesh) paintLines(small);
+    paintLines(small);
     return small;
   }
 
@@ -163,19 +163,15 @@ class Painter {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     const HiddenLines hidden = hiddenOf(picture_.setting);
-    for (const LineFamily family : allLineFamilies()) {
-      const SurfaceFamily look = familyOf(picture_.setting, family);
-      if (!look.on) continue;
-      const Rgb colour = colourOf(look, picture_.palette);
-      const auto& ends = picture_.seen->lines[static_cast<std::size_t>(family)];
-      for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
-        paintSegment(painter, ends[i], ends[i + 1], look, colour, hidden);
+    for (const LineLayer& layer : lineLayers(picture_)) {
+      for (std::size_t i = 0; i + 1 < layer.ends->size(); i += 2) {
+        paintSegment(painter, (*layer.ends)[i], (*layer.ends)[i + 1], layer, hidden);
       }
     }
   }
 
   void paintSegment(QPainter& painter, const LineVertex& a, const LineVertex& b,
-                    const SurfaceFamily& look, Rgb colour, HiddenLines hidden) const {
+                    const LineLayer& layer, HiddenLines hidden) const {
     bool aInFront = false, bInFront = false;
     const Vector3f from = toPicture({a.x, a.y, a.z}, &aInFront);
     const Vector3f to = toPicture({b.x, b.y, b.z}, &bInFront);
@@ -183,7 +179,7 @@ class Painter {
     const bool visible = isVisible(0.5f * (from + to));
     if (!visible && hidden == HiddenLines::Off) return;
     const float strength = 0.5f * (a.strength + b.strength);
-    float ink = look.fade && !picture_.setting.unfiltered ? inkOf(strength, look.threshold) : 1.0f;
+    float ink = inkOf(strength, layer.threshold);
     const Vector3f middle = 0.5f * (from + to) / static_cast<float>(kFiner * 2) / kDashPx;
     const bool gap = (static_cast<int>(std::floor(middle.x() * 2.0f)) +
                       static_cast<int>(std::floor(middle.y() * 2.0f))) %
@@ -193,9 +189,9 @@ class Painter {
       if (gap) return;
       ink *= 0.6f;
     }
-    QColor shade(colour.r, colour.g, colour.b);
+    QColor shade(layer.colour.r, layer.colour.g, layer.colour.b);
     shade.setAlphaF(ink);
-    QPen pen(shade, look.widthPx * picture_.lineScale);
+    QPen pen(shade, layer.widthPx * picture_.lineScale);
     // Round ends would overlap at every joint and show as dots where a line is transparent.
     pen.setCapStyle(ink < 1.0f ? Qt::FlatCap : Qt::RoundCap);
     painter.setPen(pen);
@@ -240,6 +236,42 @@ const VertexColours* SurfacePicture::colours() const {
   return there ? &*seen->colours : nullptr;
 }
 
+Rgb differenceColour(std::size_t part, Palette palette) {
+  const bool light = palette == Palette::Light;
+  switch (part) {
+    case SeenDifference::Added:
+      return light ? Rgb{213, 94, 0} : Rgb{230, 159, 0};
+    case SeenDifference::Missing:
+      return light ? Rgb{0, 114, 178} : Rgb{86, 180, 233};
+    default:
+      return light ? Rgb{150, 150, 150} : Rgb{140, 140, 140};
+  }
+}
+
+std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
+  if (!picture.seen || !picture.surface || picture.seen->surface->mesh != picture.surface->mesh) {
+    return {};
+  }
+  std::vector<LineLayer> layers;
+  if (picture.difference) {
+    // Nothing before it is computed: whole lines would say that all of them differ.
+    if (!picture.seen->difference) return {};
+    for (std::size_t part = 0; part < SeenDifference::kParts; ++part) {
+      layers.push_back({&picture.seen->difference->lines[part],
+                        differenceColour(part, picture.palette), SurfaceFamily{}.widthPx, 0.0});
+    }
+    return layers;
+  }
+  for (const LineFamily family : allLineFamilies()) {
+    const SurfaceFamily look = familyOf(picture.setting, family);
+    if (!look.on) continue;
+    const bool fades = look.fade && !picture.setting.unfiltered;
+    layers.push_back({&picture.seen->lines[static_cast<std::size_t>(family)],
+                      colourOf(look, picture.palette), look.widthPx, fades ? look.threshold : 0.0});
+  }
+  return layers;
+}
+
 SurfacePicture pictureOf(const SurfaceModels& models) {
   SurfacePicture picture;
   picture.palette = themePalette();
@@ -248,6 +280,7 @@ SurfacePicture pictureOf(const SurfaceModels& models) {
   const PaneSetting pane = models.setting();
   picture.setting = pane.surface;
   picture.setting.camera = pane.camera;
+  picture.difference = pane.difference;
   picture.surface = models.source.surface();
   picture.seen = models.seen.seen();
   return picture;

@@ -21,9 +21,25 @@ struct SurfacePicture {
   Palette palette = Palette::Light;
   double lineScale = 1.0;  ///< of the widths
 
+  bool difference = false;  ///< the lines are those of SeenSurface::difference
+
   /// The colour map is there and asked for.
   const VertexColours* colours() const;
 };
+
+/// Lines that look alike.
+struct LineLayer {
+  const std::vector<LineVertex>* ends;  ///< of picture.seen; two in a row are a segment
+  Rgb colour;
+  double widthPx;
+  double threshold;  ///< weak lines are paler; 0: none is
+};
+
+/// The lines of a picture, first drawn first. None if there are none of its surface.
+std::vector<LineLayer> lineLayers(const SurfacePicture& picture);
+
+/// What a part of a difference looks like, by SeenDifference::Part.
+Rgb differenceColour(std::size_t part, Palette palette);
 
 /// What a view shows now.
 SurfacePicture pictureOf(const SurfaceModels& models);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/pane_marks.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+#include <cmath>
+
+#include "ui/model/theme.h"
+#include "ui/view3d/surface_picture.h"
+
+namespace flatland::ui {
+
+namespace {
+
+struct PaneMarkWords {
+  Q_DECLARE_TR_FUNCTIONS(PaneMarks)
+};
+
+constexpr double kBehindText = 0.72;  ///< opacity of the ground below words, as in the overlay
+constexpr int kSamplePx = 18;         ///< of a line in the legend
+// The eye stands, and its arrow ends, so many radii from the middle of the surface.
+constexpr double kEyeRadii = 1.35, kTipRadii = 1.08;
+constexpr double kEyePx = 5.0, kHeadPx = 8.0;
+
+QString percent(double share) { return QLocale().toString(100.0 * share, 'f', 1); }
+
+}  // namespace
+
+QStringList inkLines(const SurfaceModels& models) {
+  if (!models.there() || !models.document.scene().surface->ink) return {};
+  const PaneInk* ink = models.views.ink().of(models.pane);
+  if (!ink) return {PaneMarkWords::tr("Solving for ink")};
+  const QString factor = QLocale().toString(ink->factor, 'g', 3);
+  QStringList lines{PaneMarkWords::tr("Ink %1 %").arg(percent(ink->share)),
+                    PaneMarkWords::tr("Thresholds × %1").arg(factor)};
+  if (!ink->reached) lines.front() += PaneMarkWords::tr(", as near as it gets");
+  if (models.views.ink().isStale()) lines.back() += QStringLiteral(" …");
+  return lines;
+}
+
+QStringList differenceLines(const SurfaceModels& models) {
+  const auto& seen = models.seen.seen();
+  if (!models.there() || !models.setting().difference || !seen || !seen->difference) return {};
+  const SeenDifference& difference = *seen->difference;
+  return {PaneMarkWords::tr("In both, within a mean edge"),
+          PaneMarkWords::tr("Only here: %1 % of these").arg(percent(difference.addedShare)),
+          PaneMarkWords::tr("Missing: %1 % of the first").arg(percent(difference.missingShare))};
+}
+
+void paintDifferenceLegend(QPainter& painter, const QRect& bounds, const SurfaceModels& models) {
+  const QStringList lines = differenceLines(models);
+  if (lines.isEmpty()) return;
+  const QFontMetrics metrics = painter.fontMetrics();
+  int width = 0;
+  for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
+  const int height = metrics.height(), gap = 6;
+  QRect box(0, 0, width + kSamplePx + gap, height * static_cast<int>(lines.size()));
+  box.moveBottomRight(bounds.bottomRight());
+  QColor ground = painter.background().color();
+  ground.setAlphaF(static_cast<float>(kBehindText));
+  painter.fillRect(box.adjusted(-4, -2, 4, 2), ground);
+  const Palette palette = themePalette();
+  for (qsizetype i = 0; i < lines.size(); ++i) {
+    const int top = box.top() + static_cast<int>(i) * height;
+    const Rgb c = differenceColour(static_cast<std::size_t>(i), palette);
+    painter.fillRect(box.left(), top + height / 2 - 1, kSamplePx, 3, QColor(c.r, c.g, c.b));
+    painter.drawText(QRect(box.left() + kSamplePx + gap, top, width, height), Qt::AlignLeft,
+                     lines[i]);
+  }
+}
+
+void paintFirstCamera(QPainter& painter, const SurfaceModels& models,
+                      const Projection& projection) {
+  if (!models.there() || !models.setting().ownCamera || !models.source.surface()) return;
+  const SurfaceCamera& first = models.document.scene().surface->camera;
+  const double radius = models.source.surface()->ballRadius;
+  const auto eye = projection.toScreen(first.centre + kEyeRadii * radius * first.towards);
+  const auto tip = projection.toScreen(first.centre + kTipRadii * radius * first.towards);
+  if (!eye || !tip) return;
+  const QPointF from(eye->x(), eye->y()), to(tip->x(), tip->y());
+  const double scale = models.display.uiScale();
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor ink = painter.pen().color();
+  const QColor ground = painter.background().color();
+  if (first.towards.dot(Eigen::Vector3d(projection.axes.row(2))) < 0.0) ink.setAlphaF(0.5f);
+  const QPointF along = to - from;
+  const double length = std::hypot(along.x(), along.y());
+  if (length > 2.0 * kEyePx * scale) {
+    const QPointF unit = along / length, side(-unit.y(), unit.x());
+    const QPointF back = to - kHeadPx * scale * unit;
+    const QPolygonF head{to, back + 0.5 * kHeadPx * scale * side,
+                         back - 0.5 * kHeadPx * scale * side};
+    painter.setPen(QPen(ink, 2.0 * scale));
+    painter.drawLine(from, back);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    painter.drawPolygon(head);
+  }
+  painter.setPen(QPen(ink, 1.5 * scale));
+  painter.setBrush(ground);
+  painter.drawEllipse(from, 1.6 * kEyePx * scale, kEyePx * scale);
+  painter.setBrush(ink);
+  painter.drawEllipse(from, 0.45 * kEyePx * scale, 0.45 * kEyePx * scale);
+  painter.restore();
+}
+
+}  // namespace flatland::ui
