@@ -99,7 +99,7 @@ class SurfaceModelTest : public QObject {
           highest = std::min(highest, projection.toScreen(p)->y());
         }
       }
-      const double margin = Camera{}.margin * pictureScale(500, 300);
+      const double margin = drawingCamera(camera, 500, 300).margin;
       QVERIFY2(std::abs(highest - margin) < 0.5, qPrintable(QString::number(highest)));
     }
   }

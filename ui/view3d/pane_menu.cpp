@@ -18,8 +18,6 @@ struct PaneWords {
   Q_DECLARE_TR_FUNCTIONS(PaneWords)
 };
 
-constexpr int kNamedFamilies = 3;  ///< in a title; of more only how many
-
 void change(const SurfaceModels& models, const QString& text,
             const std::function<void(SurfaceSetting&)>& edit) {
   std::optional<SurfaceSetting> setting = models.document.scene().surface;
@@ -80,10 +78,8 @@ QString paneWords(const SurfaceModels& models) {
   for (const LineFamily family : allLineFamilies()) {
     if (familyOf(pane.surface, family).on) families << titleOf(family);
   }
-  QString words = families.size() > kNamedFamilies
-                      ? PaneWords::tr("%1 families").arg(families.size())
-                      : families.join(QStringLiteral(", "));
-  if (families.isEmpty()) words = PaneWords::tr("No lines");
+  QString words =
+      families.isEmpty() ? PaneWords::tr("No lines") : families.join(QStringLiteral(", "));
   if (pane.derivative == RidgeDerivative::OneRing) {
     words = PaneWords::tr("%1; derivative from neighbours").arg(words);
   }

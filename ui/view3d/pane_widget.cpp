@@ -18,6 +18,7 @@ namespace flatland::ui {
 namespace {
 
 constexpr int kProbeDelayMs = 25;  ///< a moving pointer is looked up at most so often
+constexpr int kTitleRestPx = 40;   ///< of the width of the title: the arrow of its menu
 constexpr int kFramePx = 2;        ///< around the view that panels are about
 
 }  // namespace
@@ -27,7 +28,6 @@ PaneWidget::PaneWidget(const SurfaceModels& models, QWidget* parent)
   const QString id = QStringLiteral("surface.pane.%1").arg(models_.pane);
   setObjectName(id);
   title_->setObjectName(id + ".menu");
-  title_->setToolTip(tr("What this view shows"));
   title_->setAutoRaise(true);
   title_->setPopupMode(QToolButton::InstantPopup);
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -96,12 +96,23 @@ void PaneWidget::showSetting() {
   const bool several = models_.views.count() > 1;
   title_->setVisible(several);
   if (several && models_.there()) {
-    title_->setText(paneWords(models_));
-    title_->setAccessibleName(tr("View %1: %2").arg(models_.pane + 1).arg(title_->text()));
+    words_ = paneWords(models_);
+    title_->setAccessibleName(tr("View %1: %2").arg(models_.pane + 1).arg(words_));
+    title_->setToolTip(tr("%1. A click changes what this view shows").arg(words_));
   }
+  showTitle();
   const int frame = several ? kFramePx : 0;
   layout()->setContentsMargins(frame, frame, frame, frame);
   update();
+}
+
+void PaneWidget::showTitle() {
+  title_->setText(fontMetrics().elidedText(words_, Qt::ElideRight, width() - kTitleRestPx));
+}
+
+void PaneWidget::resizeEvent(QResizeEvent* event) {
+  showTitle();
+  QWidget::resizeEvent(event);
 }
 
 void PaneWidget::paintEvent(QPaintEvent*) {

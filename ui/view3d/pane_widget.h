@@ -35,14 +35,17 @@ class PaneWidget : public QWidget {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void makeCanvas();
   void showSetting();
+  void showTitle();
   void probe();
 
   SurfaceModels models_;
   QToolButton* title_;
+  QString words_;  ///< of the title, which has as much of them as there is room for
   QWidget* canvas_ = nullptr;
   SurfaceInput* input_ = nullptr;
   SurfaceOverlay* overlay_ = nullptr;
