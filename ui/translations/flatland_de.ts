@@ -9,6 +9,65 @@
     </message>
 </context>
 <context>
+    <name>CompareMenu</name>
+    <message>
+        <source>compare views</source>
+        <translation>Ansichten vergleichen</translation>
+    </message>
+    <message>
+        <source>Views of the surface side by side</source>
+        <translation>Ansichten der Fläche nebeneinander</translation>
+    </message>
+    <message>
+        <source>&amp;One View</source>
+        <translation>&amp;Eine Ansicht</translation>
+    </message>
+    <message>
+        <source>Only the first view of the surface</source>
+        <translation>Nur die erste Ansicht der Fläche</translation>
+    </message>
+    <message>
+        <source>&amp;Two Views</source>
+        <translation>&amp;Zwei Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;Four Views</source>
+        <translation>&amp;Vier Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;Contours, Suggestive, Ridges, Apparent Ridges</source>
+        <translation>&amp;Konturen, suggestive, Grate, scheinbare Grate</translation>
+    </message>
+    <message>
+        <source>Four views: contours alone, and with each of the other families</source>
+        <translation>Vier Ansichten: Konturen allein und mit je einer der anderen Familien</translation>
+    </message>
+    <message>
+        <source>Closed Form and &amp;Neighbours</source>
+        <translation>Geschlossene Form und &amp;Nachbarn</translation>
+    </message>
+    <message>
+        <source>Apparent ridges by the closed form, and by differences between neighbours as in the thesis</source>
+        <translation>Scheinbare Grate nach der geschlossenen Form und aus Differenzen zwischen Nachbarn wie in der Dissertation</translation>
+    </message>
+    <message>
+        <source>&amp;Difference of the Two</source>
+        <translation>&amp;Unterschied der beiden</translation>
+    </message>
+    <message>
+        <source>Where the two derivatives give different apparent ridges</source>
+        <translation>Wo die beiden Ableitungen verschiedene scheinbare Grate ergeben</translation>
+    </message>
+    <message>
+        <source>&amp;Second Camera</source>
+        <translation>Zweite &amp;Kamera</translation>
+    </message>
+    <message>
+        <source>The lines of the first view seen from elsewhere</source>
+        <translation>Die Linien der ersten Ansicht, von anderswo gesehen</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>Thesis figure 3-4</source>
@@ -1778,6 +1837,14 @@
         <source>at arc length %1: no apparent ridge on the curve</source>
         <translation>bei Bogenlänge %1: kein scheinbarer Grat auf der Kurve</translation>
     </message>
+    <message>
+        <source>The normal is unknown here.</source>
+        <translation>Die Normale ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Seen from here the surface bends alike in all directions, or not at all: there is no t_A.</source>
+        <translation>Von hier gesehen krümmt sich die Fläche in alle Richtungen gleich oder gar nicht: es gibt kein t_A.</translation>
+    </message>
 </context>
 <context>
     <name>LimitsWords</name>
@@ -2027,6 +2094,80 @@
     <message>
         <source>&amp;Typed Formula</source>
         <translation>Eingetippte &amp;Formel</translation>
+    </message>
+</context>
+<context>
+    <name>PaneMarks</name>
+    <message>
+        <source>Solving for ink</source>
+        <translation>Tinte wird gelöst</translation>
+    </message>
+    <message>
+        <source>Ink %1 %</source>
+        <translation>Tinte %1 %</translation>
+    </message>
+    <message>
+        <source>Thresholds × %1</source>
+        <translation>Schwellen × %1</translation>
+    </message>
+    <message>
+        <source>, as near as it gets</source>
+        <translation>, näher geht es nicht</translation>
+    </message>
+    <message>
+        <source>In both, within a mean edge</source>
+        <translation>In beiden, bis auf eine mittlere Kante</translation>
+    </message>
+    <message>
+        <source>Only here: %1 % of these</source>
+        <translation>Nur hier: %1 % von diesen</translation>
+    </message>
+    <message>
+        <source>Missing: %1 % of the first</source>
+        <translation>Fehlt: %1 % der ersten</translation>
+    </message>
+</context>
+<context>
+    <name>PaneWords</name>
+    <message>
+        <source>Families of the First View</source>
+        <translation>Familien der ersten Ansicht</translation>
+    </message>
+    <message>
+        <source>change view</source>
+        <translation>Ansicht ändern</translation>
+    </message>
+    <message>
+        <source>Derivative from Neighbours, as in the Thesis</source>
+        <translation>Ableitung aus Nachbarn, wie in der Dissertation</translation>
+    </message>
+    <message>
+        <source>Difference from the First View</source>
+        <translation>Unterschied zur ersten Ansicht</translation>
+    </message>
+    <message>
+        <source>Camera of Its Own</source>
+        <translation>Eigene Kamera</translation>
+    </message>
+    <message>
+        <source>No lines</source>
+        <translation>Keine Linien</translation>
+    </message>
+    <message>
+        <source>%1; derivative from neighbours</source>
+        <translation>%1; Ableitung aus Nachbarn</translation>
+    </message>
+    <message>
+        <source>Difference: %1</source>
+        <translation>Unterschied: %1</translation>
+    </message>
+    <message>
+        <source>Second camera: %1</source>
+        <translation>Zweite Kamera: %1</translation>
+    </message>
+    <message>
+        <source>change lines</source>
+        <translation>Linien ändern</translation>
     </message>
 </context>
 <context>
@@ -2465,6 +2606,10 @@
     <message>
         <source>Write the picture of the surface</source>
         <translation>Das Bild der Fläche schreiben</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare</source>
+        <translation>&amp;Vergleichen</translation>
     </message>
 </context>
 <context>
@@ -3142,6 +3287,29 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::InkRow</name>
+    <message>
+        <source>&amp;Equal ink</source>
+        <translation>&amp;Gleich viel Tinte</translation>
+    </message>
+    <message>
+        <source>In every view one factor on the thresholds is solved for, so that its drawing covers this share of the paper</source>
+        <translation>In jeder Ansicht wird ein Faktor auf die Schwellen gelöst, mit dem ihre Zeichnung diesen Anteil des Papiers bedeckt</translation>
+    </message>
+    <message>
+        <source>Ink in per cent</source>
+        <translation>Tinte in Prozent</translation>
+    </message>
+    <message>
+        <source>Share of the paper that the strokes of a view cover</source>
+        <translation>Anteil des Papiers, den die Striche einer Ansicht bedecken</translation>
+    </message>
+    <message>
+        <source>change ink</source>
+        <translation>Tinte ändern</translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::KeySheet</name>
     <message>
         <source>Points</source>
@@ -3779,6 +3947,25 @@
     <message>
         <source>What went wrong; the text can be selected</source>
         <translation>Was schiefging; der Text lässt sich auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::PaneWidget</name>
+    <message>
+        <source>Picture of the surface</source>
+        <translation>Bild der Fläche</translation>
+    </message>
+    <message>
+        <source>Picture of the surface, view %1</source>
+        <translation>Bild der Fläche, Ansicht %1</translation>
+    </message>
+    <message>
+        <source>View %1: %2</source>
+        <translation>Ansicht %1: %2</translation>
+    </message>
+    <message>
+        <source>%1. A click changes what this view shows</source>
+        <translation>%1. Ein Klick ändert, was diese Ansicht zeigt</translation>
     </message>
 </context>
 <context>
@@ -4493,10 +4680,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>Give up reading; what was there before stays</source>
         <translation>Nicht weiter lesen; was vorher da war, bleibt</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Fläche</translation>
     </message>
     <message>
         <source>Reading the mesh</source>
