@@ -189,9 +189,10 @@ SurfaceFields jetFields(const TriangleMesh& mesh, const FieldOptions& options) {
         const auto v = static_cast<std::uint32_t>(i);
         const double size = sizes[v] * options.scale;
         const double share = std::clamp((size - kUnresolved) / (kSmallest - kUnresolved), 0.0, 1.0);
-        if (share == 0.0 || !fit.startAt(v)) continue;  // what the one-ring wrote stays
-        const SurfacePoint point =
-            fit.pointOf(fit.over(std::clamp<double>(size, kSmallest, kWidest)));
+        if (share == 0.0) continue;  // what the one-ring wrote stays
+        const auto fitted = fit.at(v, std::clamp<double>(size, kSmallest, kWidest));
+        if (!fitted) continue;
+        const SurfacePoint point = fit.pointOf(*fitted);
         fields.set(v, share < 1.0 ? mixed(fields.at(mesh, v), point, share) : point);
       }
     };

@@ -7,11 +7,23 @@
 
 namespace flatland {
 
+namespace {
+
+constexpr WeightedHeight kItself{0.0, 0.0, 0.0, 1.0};
+
+// Of ring k in a fit of this size.
+double weightOf(int k, double size) {
+  const double x = k / (size + 1.0);
+  return 1.0 - x * x;
+}
+
+}  // namespace
+
 LocalFit::LocalFit(const TriangleMesh& mesh, const VertexNeighbours& neighbours,
                    const std::vector<Eigen::Vector3d>& normals)
     : mesh_(mesh), normals_(normals), rings_(neighbours) {}
 
-bool LocalFit::startAt(std::uint32_t v) {
+bool LocalFit::placeAt(std::uint32_t v) {
   n_ = normals_[v];
   if (n_.isZero(0.0)) return false;
   p_ = mesh_.position(v).cast<double>();
@@ -23,10 +35,13 @@ bool LocalFit::startAt(std::uint32_t v) {
   for (const std::uint32_t q : rings_.ring(1))
     sum += (mesh_.position(q).cast<double>() - p_).norm();
   edge_ = sum / static_cast<double>(rings_.ring(1).size());
-  if (!(edge_ > 0.0)) return false;
+  return edge_ > 0.0;
+}
+
+bool LocalFit::startAt(std::uint32_t v) {
+  if (!placeAt(v)) return false;
   sums_.clear();
-  constexpr WeightedHeight kItself[] = {{0.0, 0.0, 0.0, 1.0}};
-  sums_.emplace_back().add(kItself);
+  sums_.emplace_back().add({&kItself, 1});
   addRing(1);
   return true;
 }
@@ -39,15 +54,19 @@ bool LocalFit::growTo(int k) {
   return !rings_.ring(k).empty();
 }
 
-void LocalFit::addRing(int k) {
-  heights_.clear();
+void LocalFit::addHeights(int k, double weight) {
   const double scale = 1.0 / edge_;
   for (const std::uint32_t q : rings_.ring(k)) {
     const double cosine = n_.dot(normals_[q]);
     if (!(cosine > 0.0)) continue;
     const Eigen::Vector3d d = scale * (mesh_.position(q).cast<double>() - p_);
-    heights_.push_back({d.dot(e1_), d.dot(e2_), d.dot(n_), cosine * cosine});
+    heights_.push_back({d.dot(e1_), d.dot(e2_), d.dot(n_), weight * cosine * cosine});
   }
+}
+
+void LocalFit::addRing(int k) {
+  heights_.clear();
+  addHeights(k, 1.0);
   sums_.emplace_back().add(heights_);
 }
 
@@ -56,9 +75,21 @@ HeightPolynomial LocalFit::over(double size) {
   growTo(whole);
   HeightSums sums = sums_[0];
   for (int k = 1; k <= whole; ++k) {
-    const double x = k / (size + 1.0);
-    sums.add(sums_[static_cast<std::size_t>(k)], 1.0 - x * x);
+    sums.add(sums_[static_cast<std::size_t>(k)], weightOf(k, size));
   }
+  return fitHeight(sums, 4);
+}
+
+std::optional<HeightPolynomial> LocalFit::at(std::uint32_t v, double size) {
+  if (!placeAt(v)) return std::nullopt;
+  heights_.assign(1, kItself);
+  const int whole = static_cast<int>(std::ceil(size));
+  for (int k = 1; k <= whole; ++k) {
+    if (k > 1) rings_.grow();
+    addHeights(k, weightOf(k, size));
+  }
+  HeightSums sums;
+  sums.add(heights_);
   return fitHeight(sums, 4);
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core3d/diff/height_fit.h"
@@ -32,6 +33,10 @@ class LocalFit {
   /// towards the rim so that the fit depends on the size continuously: 1 - (k / (size + 1))^2 for
   /// ring k.
   HeightPolynomial over(double size);
+  /// startAt(v) and over(size) in one, for who asks nothing else: all rings are summed at once,
+  /// which is faster and differs by rounding. Afterwards only pointOf may be asked. nullopt as
+  /// startAt.
+  std::optional<HeightPolynomial> at(std::uint32_t v, double size);
   /// Root mean square distance of the vertices of rings 1 to k from the polynomial, and the largest
   /// such distance of a single ring.
   struct Misses {
@@ -47,13 +52,15 @@ class LocalFit {
   SurfacePoint pointOf(const HeightPolynomial& polynomial) const;
 
  private:
+  bool placeAt(std::uint32_t v);
+  void addHeights(int k, double weight);
   void addRing(int k);
 
   const TriangleMesh& mesh_;
   const std::vector<Eigen::Vector3d>& normals_;
   VertexRings rings_;
   std::vector<HeightSums> sums_;         // of each ring
-  std::vector<WeightedHeight> heights_;  // of the ring that is added
+  std::vector<WeightedHeight> heights_;  // that are added next
   Eigen::Vector3d p_, n_, e1_, e2_;
   double edge_ = 1.0;
 };

@@ -2,7 +2,10 @@
 #include "core3d/lines/vertex_clusters.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+
+#include "core3d/run_on_threads.h"
 
 namespace flatland {
 
@@ -10,44 +13,57 @@ VertexClusters::VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fi
     : vertices_(static_cast<std::uint32_t>(mesh.vertexCount())) {
   // The rest of the division goes to the last one, so that none is shorter than a SIMD vector.
   clusters_.resize(std::max(vertices_ / kSize, 1u));
+  // Each thread takes the next few clusters; which one does decides nothing.
+  constexpr std::uint32_t kBlock = 64;
   const auto count = static_cast<std::uint32_t>(clusters_.size());
-  std::vector<std::uint32_t> around;
-  for (std::uint32_t c = 0; c < count; ++c) {
-    const std::uint32_t begin = c * kSize, end = c + 1 == count ? vertices_ : begin + kSize;
-    around.clear();
-    for (std::uint32_t v = begin; v < end; ++v) {
-      for (std::uint32_t i = mesh.cornerStart[v]; i < mesh.cornerStart[v + 1]; ++i) {
-        const std::uint32_t corner = mesh.cornersAt[i];
-        for (const std::uint32_t u : mesh.triangles[corner / 3]) around.push_back(u);
-      }
+  const std::uint32_t blocks = (count + kBlock - 1) / kBlock;
+  std::atomic<std::uint32_t> next{0};
+  runOnThreads(std::min<std::size_t>(threadsFor(0), blocks), [&] {
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t block; (block = next++) < blocks;) {
+      for (std::uint32_t c = block * kBlock; c < std::min(count, (block + 1) * kBlock); ++c)
+        clusters_[c] = clusterOf(mesh, fields, c, around);
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
+  });
+}
 
-    Cluster& cluster = clusters_[c];
-    Eigen::Vector3f axis = Eigen::Vector3f::Zero(), low = mesh.position(around[0]), high = low;
-    bool known = true;
-    cluster.k1Max = fields.k1[around[0]];
-    cluster.k2Min = fields.k2[around[0]];
-    for (const std::uint32_t v : around) {
-      const Eigen::Vector3f n = fields.normal(v);
-      known =
-          known && n.squaredNorm() > kKnownNormalSq && std::isfinite(fields.k1[v] + fields.k2[v]);
-      axis += n;
-      low = low.cwiseMin(mesh.position(v));
-      high = high.cwiseMax(mesh.position(v));
-      cluster.k1Max = std::max(cluster.k1Max, fields.k1[v]);
-      cluster.k2Min = std::min(cluster.k2Min, fields.k2[v]);
+VertexClusters::Cluster VertexClusters::clusterOf(const TriangleMesh& mesh,
+                                                  const SurfaceFields& fields, std::uint32_t c,
+                                                  std::vector<std::uint32_t>& around) const {
+  const std::uint32_t begin = c * kSize,
+                      end = c + 1 == clusters_.size() ? vertices_ : begin + kSize;
+  around.clear();
+  for (std::uint32_t v = begin; v < end; ++v) {
+    for (std::uint32_t i = mesh.cornerStart[v]; i < mesh.cornerStart[v + 1]; ++i) {
+      const std::uint32_t corner = mesh.cornersAt[i];
+      for (const std::uint32_t u : mesh.triangles[corner / 3]) around.push_back(u);
     }
-    cluster.centre = 0.5f * (low + high);
-    cluster.radius = 0.5f * (high - low).norm();
-    cluster.axis = axis.norm() > 0.0f ? Eigen::Vector3f(axis.normalized()) : axis;
-    float least = 1.0f;
-    for (const std::uint32_t v : around)
-      least = std::min(least, cluster.axis.dot(fields.normal(v)));
-    cluster.cosCone = known ? least : -1.0f;
-    cluster.sinCone = std::sqrt(std::max(0.0f, 1.0f - least * least));
   }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+
+  Cluster cluster;
+  Eigen::Vector3f axis = Eigen::Vector3f::Zero(), low = mesh.position(around[0]), high = low;
+  bool known = true;
+  cluster.k1Max = fields.k1[around[0]];
+  cluster.k2Min = fields.k2[around[0]];
+  for (const std::uint32_t v : around) {
+    const Eigen::Vector3f n = fields.normal(v);
+    known = known && n.squaredNorm() > kKnownNormalSq && std::isfinite(fields.k1[v] + fields.k2[v]);
+    axis += n;
+    low = low.cwiseMin(mesh.position(v));
+    high = high.cwiseMax(mesh.position(v));
+    cluster.k1Max = std::max(cluster.k1Max, fields.k1[v]);
+    cluster.k2Min = std::min(cluster.k2Min, fields.k2[v]);
+  }
+  cluster.centre = 0.5f * (low + high);
+  cluster.radius = 0.5f * (high - low).norm();
+  cluster.axis = axis.norm() > 0.0f ? Eigen::Vector3f(axis.normalized()) : axis;
+  float least = 1.0f;
+  for (const std::uint32_t v : around) least = std::min(least, cluster.axis.dot(fields.normal(v)));
+  cluster.cosCone = known ? least : -1.0f;
+  cluster.sinCone = std::sqrt(std::max(0.0f, 1.0f - least * least));
+  return cluster;
 }
 
 void VertexClusters::runsFor(const SurfaceView& view, const VertexNeeds& needs,

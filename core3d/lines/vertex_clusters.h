@@ -14,7 +14,7 @@ namespace flatland {
 /// and not the mesh.
 class VertexClusters {
  public:
-  /// One pass over vertices and triangles.
+  /// One pass over vertices and triangles, on all cores.
   VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fields);
 
   /// The runs of vertices that a view has to compute, in order, covering all. A run is passed over
@@ -31,6 +31,10 @@ class VertexClusters {
     float radius;            ///< of a ball around the vertices
     float k1Max, k2Min;
   };
+  /// `around` is room for the vertices of its faces.
+  Cluster clusterOf(const TriangleMesh& mesh, const SurfaceFields& fields, std::uint32_t c,
+                    std::vector<std::uint32_t>& around) const;
+
   std::vector<Cluster> clusters_;
   std::uint32_t vertices_;
 };

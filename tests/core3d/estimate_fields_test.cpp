@@ -12,6 +12,8 @@
 #include <string>
 
 #include "core3d/diff/exact_fields.h"
+#include "core3d/diff/local_fit.h"
+#include "core3d/diff/one_ring.h"
 #include "core3d/mesh/build_mesh.h"
 #include "core3d/mesh/grid.h"
 #include "flatland/io/input_error.h"
@@ -395,6 +397,26 @@ TEST(EstimateFields, SmallAndFlatMeshesAreFinite) {
     EXPECT_EQ(fields.c111[v], 0.0f);
   }
   EXPECT_EQ(without, 1);
+}
+
+// Rings summed one by one and added with their weights, against all of them summed at once.
+TEST(EstimateFields, AFitInOneGoIsThatOfItsRings) {
+  const Sample sample = sampleOf({SolidKind::BumpySphere, 1.0, 0.1, 5.0}, {12, true});
+  const VertexNeighbours neighbours(sample.mesh);
+  const std::vector<Eigen::Vector3d> normals = vertexNormals(sample.mesh, with(kBoth[0]));
+  LocalFit rings(sample.mesh, neighbours, normals), once(sample.mesh, neighbours, normals);
+  for (std::uint32_t v = 0; v < sample.mesh.vertexCount(); v += 7) {
+    for (const double size : {2.0, 2.6, 4.0, 5.5}) {
+      ASSERT_TRUE(rings.startAt(v));
+      const HeightPolynomial a = rings.over(size);
+      const auto b = once.at(v, size);
+      ASSERT_TRUE(b);
+      ASSERT_EQ(a.degree, b->degree);
+      EXPECT_EQ(rings.edge(), once.edge());
+      for (std::size_t i = 0; i < HeightPolynomial::kSize; ++i)
+        EXPECT_NEAR(a.coefficients[i], b->coefficients[i], 1e-10) << v << " " << size;
+    }
+  }
 }
 
 TEST(EstimateFields, ScalesThatAreNoneAreRefused) {
