@@ -208,9 +208,9 @@ class CompareTest : public QObject {
     QTest::mouseClick(&driver_->child<QAbstractButton>("families.ink"), Qt::LeftButton, {}, {8, 8});
     QVERIFY(quiet());
     // What there is of lines must be more.
-    driver_->child<QDoubleSpinBox>("families.ink.share").setValue(1.5);
+    driver_->child<QDoubleSpinBox>("families.ink.share").setValue(1.0);
     QVERIFY(quiet());
-    QCOMPARE(driver_->scene().surface->ink, std::optional(0.015));
+    QCOMPARE(driver_->scene().surface->ink, std::optional(0.01));
     const SurfaceModels models = driver_->window().surfaceModels();
     const LoadedSurface& surface = *models.source.surface();
     Draughtsman draughtsman(*surface.mesh, *surface.fields);

@@ -158,6 +158,28 @@ class SurfaceModelTest : public QObject {
     QVERIFY(quarter.toScreen(right)->y() < 49.0);
   }
 
+  void anotherAxisPointsUpward() {
+    const Vector3d axes[] = {Vector3d::UnitX(),  -Vector3d::UnitX(), Vector3d::UnitY(),
+                             -Vector3d::UnitY(), Vector3d::UnitZ(),  -Vector3d::UnitZ()};
+    for (const Vector3d& up : axes) {
+      const Eigen::Matrix3d turn = uprightTurn(up);
+      QCOMPARE(turn.determinant(), 1.0);
+      QCOMPARE(Vector3d(turn * Vector3d::UnitY()), up);
+      for (const StandardView view : {StandardView::Front, StandardView::Left}) {
+        const SurfaceCamera camera = seenFrom({}, view, up);
+        QCOMPARE(camera.up, up);
+        QCOMPARE(camera.towards.dot(up), 0.0);
+      }
+      QCOMPARE(seenFrom({}, StandardView::Top, up).towards, up);
+      // What is nearer to the top of the file is higher on the picture.
+      const Projection home = orbitProjection(homeCamera(up), 1.0, 100, 100);
+      QVERIFY(home.toScreen(0.5 * up)->y() < home.toScreen(-0.5 * up)->y() - 30.0);
+    }
+    QCOMPARE(seenFrom({}, StandardView::Front, Vector3d::UnitZ()).towards, Vector3d(0, -1, 0));
+    QCOMPARE(seenFrom({}, StandardView::Right, Vector3d::UnitZ()).towards, Vector3d(1, 0, 0));
+    QVERIFY(homeCamera(Vector3d::UnitY()) == SurfaceCamera{});
+  }
+
   void openingIsOneUndoStep() {
     Fixture f;
     QVERIFY(f.open("solid:torus:30"));
@@ -308,7 +330,8 @@ class SurfaceModelTest : public QObject {
     contours.colour = "#123456";
     contours.widthPx = 3.5;
     picture.setting = withFamily(picture.setting, contours);
-    const Figure figure = surfaceFigure(picture, {400, 300});
+    picture.pane = paneSetting(picture.setting, 0);
+    const Figure figure = surfaceFigure({picture}, {400, 300});
     QCOMPARE(figure.width, 400.0);
     int strokes = 0;
     for (const FigureGroup& group : figure.groups) {

@@ -146,6 +146,32 @@ class SurfaceTest : public QObject {
     QCOMPARE(d.document().undoStack().count(), steps);
   }
 
+  void scansThatLieOnTheirBackStandUp() {
+    openSolid("torus:40");
+    WindowDriver& d = *driver_;
+    drag({200, 200}, {260, 200});
+    const SurfaceCamera turned = camera();
+    d.trigger("surface.up.z");
+    QCOMPARE(d.scene().surface->upAxis, std::string("z"));
+    QVERIFY(camera().towards.z() > 0.1 && camera().towards.z() < 0.6);  // a little from above
+    key(Qt::Key_1);
+    QCOMPARE(camera().towards, Eigen::Vector3d(0, -1, 0));
+    QCOMPARE(camera().up, Eigen::Vector3d(0, 0, 1));
+    key(Qt::Key_7);
+    QCOMPARE(camera().towards, Eigen::Vector3d(0, 0, 1));
+    key(Qt::Key_R);
+    QVERIFY(camera() == homeCamera(Eigen::Vector3d::UnitZ()));
+    // The camera belongs to this edit, unlike to others.
+    d.trigger("edit.undo");
+    QCOMPARE(d.scene().surface->upAxis, std::string("y"));
+    QVERIFY(camera() == turned);
+    d.trigger("edit.redo");
+    // The next one of the folder lies as this one did.
+    openSolid("sphere:16");
+    QCOMPARE(d.scene().surface->upAxis, std::string("z"));
+    QVERIFY(camera() == homeCamera(Eigen::Vector3d::UnitZ()));
+  }
+
   void aClickPicksAPoint() {
     openSolid("torus:40");
     WindowDriver& d = *driver_;
@@ -326,7 +352,7 @@ class SurfaceTest : public QObject {
     const QByteArray text = file.readAll();
     QVERIFY(text.contains("contours-visible"));
     QVERIFY(text.contains("solid:torus"));  // the scene it came from
-    d.window().surfaces().exportTo(png, {640, 480});
+    d.window().surfaces().exporter().exportTo(png, {640, 480});
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(png), kPatienceMs);
     QCOMPARE(QImage(png).size(), QSize(640, 480));
     QVERIFY(hasPicture(QImage(png)));

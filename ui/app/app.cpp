@@ -62,11 +62,12 @@ void waitForWork(MainWindow& window) {
   QElapsedTimer quiet;
   quiet.start();
   const SurfaceModels surface = window.surfaceModels();
-  while (quiet.elapsed() < kQuietMs) {
+  // Painting a large surface without OpenGL takes its time too.
+  const int patienceMs = window.document().scene().surface ? kSurfaceTimeoutMs : kPaintTimeoutMs;
+  while (quiet.elapsed() < kQuietMs && timer.elapsed() < patienceMs) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
     const bool onSurface = surface.source.isBusy() || surface.views.isStale();
     if (onSurface || QThreadPool::globalInstance()->activeThreadCount() > 0) quiet.restart();
-    if (timer.elapsed() > (onSurface ? kSurfaceTimeoutMs : kPaintTimeoutMs)) return;
   }
 }
 

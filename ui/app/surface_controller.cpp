@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/surface_controller.h"
 
-#include <QBuffer>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
 
-#include "flatland/io/atomic_file.h"
-#include "flatland/io/input_error.h"
-#include "flatland/io/scene_json.h"
 #include "ui/app/file_controller.h"
 #include "ui/app/message_bar.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/import/mesh_name.h"
-#include "ui/model/paths.h"
-#include "ui/plot/figure_files.h"
-#include "ui/view3d/surface_figure.h"
-#include "ui/view3d/surface_picture.h"
 
 namespace flatland::ui {
 
@@ -43,10 +35,17 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
       models_(models),
       files_(files),
       messages_(messages),
-      settings_(settings) {
+      settings_(settings),
+      exporter_(models) {
   connect(&models_.source, &SurfaceSource::failed, &messages_, &MessageBar::showError);
   connect(&models_.views, &SurfaceViews::failed, &messages_, &MessageBar::showError);
-  connect(&export_, &Job::failed, &messages_, &MessageBar::showError);
+  connect(&exporter_, &SurfaceExporter::failed, &messages_, &MessageBar::showError);
+  connect(&exporter_, &SurfaceExporter::notYet, this,
+          [this] { emit said(tr("The lines are not found yet; export again in a moment.")); });
+  connect(&exporter_, &SurfaceExporter::written, this, [this](const QString& name) {
+    messages_.hide();
+    emit said(tr("Exported to %1").arg(QDir::toNativeSeparators(name)));
+  });
   connect(&models_.source, &SurfaceSource::opened, this, [this](const QString& reference) {
     messages_.hide();
     if (!namesFile(reference.toStdString())) return;
@@ -113,63 +112,15 @@ void SurfaceController::exportPicture() {
   const QString start = settings_ ? settings_->value(kExportFolderKey).toString() : QString();
   QString name = QFileDialog::getSaveFileName(
       &window_, tr("Export surface"), QDir(start).filePath(tr("surface") + ".svg"),
-      tr("Lines as vectors (*.svg *.pdf *.tex);;Picture with shading (*.png)"));
+      tr("Lines as vectors (*.svg *.pdf *.tex);;Picture with shading (*.png);;"
+         "Curvature at the vertices (*.ply *.csv);;Cameras for flatland lines (*.json)"));
   if (name.isEmpty()) return;
   if (QFileInfo(name).suffix().isEmpty()) {
     name += ".svg";
     if (!files_.mayReplace(name)) return;
   }
   if (settings_) settings_->setValue(kExportFolderKey, QFileInfo(name).absolutePath());
-  exportTo(name, kPictureSize);
-}
-
-void SurfaceController::exportTo(const QString& name, const QSize& size) {
-  const SurfacePicture picture = pictureOf(models_);
-  if (!picture.surface) return;
-  if (QFileInfo(name).suffix().toLower() == "png") {
-    export_.start<QImage>(
-        [picture, size](const JobControl&) { return std::optional(paintSurface(picture, size)); },
-        [this, name](const QImage& image) {
-          write(name, [&] {
-            QByteArray png;
-            QBuffer buffer(&png);
-            buffer.open(QIODevice::WriteOnly);
-            if (!image.save(&buffer, "PNG")) {
-              throw InputError(name.toStdString(), "", "no picture of this size can be made");
-            }
-            writeFileAtomically(
-                toPath(name),
-                std::string_view(png.constData(), static_cast<std::size_t>(png.size())));
-          });
-        });
-    return;
-  }
-  if (!picture.surface->fields) {
-    return emit said(tr("The lines are not found yet; export again in a moment."));
-  }
-  export_.start<Figure>(
-      [picture, size](const JobControl&) { return std::optional(surfaceFigure(picture, size)); },
-      [this, name, title = surfaceName(picture.setting.mesh),
-       scene = models_.document.scene()](const Figure& figure) {
-        write(name, [&] {
-          writeFigureFile(toPath(name), {.suggestedName = {},
-                                         .title = title,
-                                         .sceneJson = sceneToJson(scene),
-                                         .figure = [&figure] { return figure; },
-                                         .table = {}});
-        });
-      });
-}
-
-void SurfaceController::write(const QString& name, const std::function<void()>& writing) {
-  try {
-    writing();
-  } catch (const InputError& error) {
-    messages_.showError(QString::fromStdString(error.what()));
-    return;
-  }
-  messages_.hide();
-  emit said(tr("Exported to %1").arg(QDir::toNativeSeparators(name)));
+  exporter_.exportTo(name, kPictureSize);
 }
 
 }  // namespace flatland::ui

@@ -5,7 +5,7 @@
 #include <QSize>
 #include <QString>
 
-#include "ui/jobs/job.h"
+#include "ui/app/surface_exporter.h"
 #include "ui/view3d/surface_models.h"
 
 class QSettings;
@@ -16,8 +16,8 @@ namespace flatland::ui {
 class FileController;
 class MessageBar;
 
-/// Opening meshes, stepping through a folder of them, and pictures of the surface. What cannot be
-/// read or written is told by the message bar and changes nothing.
+/// Opening meshes, stepping through a folder of them, and asking where an export goes to. What
+/// cannot be read or written is told by the message bar and changes nothing.
 class SurfaceController : public QObject {
   Q_OBJECT
 
@@ -34,11 +34,8 @@ class SurfaceController : public QObject {
   bool hasNeighbours() const;
   void close();
 
-  void exportPicture();  ///< asks where to
-  /// Writes what is seen, in a size in px: as PNG the picture with its shading, as SVG, PDF or TikZ
-  /// the lines as vectors. Done beside the window's thread: said() tells the end, the message bar a
-  /// failure.
-  void exportTo(const QString& name, const QSize& size);
+  void exportPicture();  ///< asks where to, see SurfaceExporter
+  SurfaceExporter& exporter() { return exporter_; }
 
   const SurfaceModels& models() const { return models_; }
 
@@ -47,14 +44,13 @@ class SurfaceController : public QObject {
 
  private:
   QString folder() const;
-  void write(const QString& name, const std::function<void()>& writing);
 
   QWidget& window_;
   SurfaceModels models_;
   FileController& files_;
   MessageBar& messages_;
   QSettings* settings_;
-  Job export_;
+  SurfaceExporter exporter_;
 };
 
 }  // namespace flatland::ui

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QActionGroup>
 #include <QCoreApplication>
 #include <QMenu>
 #include <algorithm>
@@ -8,8 +9,10 @@
 #include "ui/app/layouts.h"
 #include "ui/app/menus.h"
 #include "ui/app/surface_controller.h"
+#include "ui/commands/scene_commands.h"
 #include "ui/model/core_words.h"
 #include "ui/model/orbit.h"
+#include "ui/model/surface_look.h"
 #include "ui/view3d/surface_area.h"
 
 namespace flatland::ui {
@@ -24,7 +27,7 @@ void addViews(QMenu& menu, Document& document) {
   const auto look = [&document](StandardView view) {
     return [&document, view] {
       const auto& setting = document.scene().surface;
-      if (setting) document.setCamera(seenFrom(setting->camera, view));
+      if (setting) document.setCamera(seenFrom(setting->camera, view, upAxisOf(*setting)));
     };
   };
   // The keys 1, 3, 7, 5 and R are the view's own: elsewhere they mean something else.
@@ -54,8 +57,38 @@ void addViews(QMenu& menu, Document& document) {
             {"surface.view.reset", SurfaceMenuWords::tr("R&eset Camera\tR"),
              SurfaceMenuWords::tr("Look at the surface as when it was opened")},
             [&document] {
-              if (document.scene().surface) document.setCamera(SurfaceCamera{});
+              const auto& setting = document.scene().surface;
+              if (setting) document.setCamera(homeCamera(upAxisOf(*setting)));
             });
+}
+
+/// Which axis of the file points upward: scans are often made lying on their back.
+void addUpAxes(QMenu& menu, Document& document) {
+  auto* axes = new QActionGroup(&menu);
+  for (const char* axis : kUpAxes) {
+    QString name = QString(axis).toUpper();
+    name.replace('-', QChar(0x2212));
+    QAction* action = addAction(
+        menu, {"surface.up", name, SurfaceMenuWords::tr("This axis of the file points upward")},
+        [&document, axis] {
+          std::optional<SurfaceSetting> setting = document.scene().surface;
+          if (!setting) return;
+          setting->upAxis = axis;
+          setting->camera = homeCamera(upAxisOf(*setting));
+          document.push(std::make_unique<SetSurface>(document, std::move(setting),
+                                                     SurfaceMenuWords::tr("change up axis")));
+        });
+    action->setObjectName(QStringLiteral("surface.up.") + axis);
+    action->setCheckable(true);
+    axes->addAction(action);
+  }
+  QObject::connect(&menu, &QMenu::aboutToShow, axes, [axes, &document] {
+    const auto& setting = document.scene().surface;
+    const std::string now = setting ? setting->upAxis : SurfaceSetting{}.upAxis;
+    for (QAction* action : axes->actions()) {
+      action->setChecked(action->objectName() == QString::fromStdString("surface.up." + now));
+    }
+  });
 }
 
 }  // namespace
@@ -101,6 +134,8 @@ void buildSurfaceMenu(QMenu& menu, const MenuParts& parts) {
   menu.addSeparator();
   QMenu& views = addSubmenu(menu, "menu.surface.views", SurfaceMenuWords::tr("&Look from"));
   addViews(views, document);
+  QMenu& up = addSubmenu(menu, "menu.surface.up", SurfaceMenuWords::tr("&Up Axis"));
+  addUpAxes(up, document);
   QMenu& compare = addSubmenu(menu, "menu.surface.compare", SurfaceMenuWords::tr("Co&mpare"));
   buildCompareMenu(compare, parts);
   QAction* spin = addSwitch(menu,
@@ -113,12 +148,13 @@ void buildSurfaceMenu(QMenu& menu, const MenuParts& parts) {
                                {"surface.export", SurfaceMenuWords::tr("&Export Surface…"),
                                 SurfaceMenuWords::tr("Write the picture of the surface")},
                                [&surfaces] { surfaces.exportPicture(); });
-  const auto show = [=, &surfaces, &document, &views, &compare] {
+  const auto show = [=, &surfaces, &document, &views, &up, &compare] {
     const bool there = document.scene().surface.has_value();
     next->setEnabled(surfaces.hasNeighbours());
     previous->setEnabled(surfaces.hasNeighbours());
     for (QAction* action : {close, spin, picture}) action->setEnabled(there);
     views.setEnabled(there);
+    up.setEnabled(there);
     compare.setEnabled(there);
   };
   QObject::connect(&document, &Document::changed, &menu, [show](const Change& change) {

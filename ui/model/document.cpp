@@ -88,7 +88,8 @@ void Document::swapScene(Scene& scene) {
 }
 
 void Document::swapSurface(std::optional<SurfaceSetting>& surface) {
-  if (surface && scene_.surface && surface->mesh == scene_.surface->mesh) {
+  const std::optional<SurfaceSetting>& old = scene_.surface;
+  if (surface && old && surface->mesh == old->mesh && surface->upAxis == old->upAxis) {
     surface->camera = scene_.surface->camera;
     const std::size_t both = std::min(surface->panes.size(), scene_.surface->panes.size());
     for (std::size_t i = 0; i < both; ++i) {

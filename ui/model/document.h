@@ -93,7 +93,8 @@ class Document : public QObject {
   void swapCurves(std::vector<SceneCurve>& curves);
   void swapView(View& view);
   void swapScene(Scene& scene);
-  /// As long as the mesh stays, so do the cameras: looking from elsewhere is no edit.
+  /// As long as the mesh stays, and which of its axes is upward, so do the cameras: looking from
+  /// elsewhere is no edit.
   void swapSurface(std::optional<SurfaceSetting>& surface);
 
   /// Looks at the surface from elsewhere, in one of its views: where that has no camera of its own,

@@ -132,7 +132,22 @@ SurfaceCamera zoomedAt(const SurfaceCamera& camera, const Projection& projection
   return moved;
 }
 
-SurfaceCamera seenFrom(const SurfaceCamera& camera, StandardView view) {
+Eigen::Matrix3d uprightTurn(const Vector3d& up) {
+  if (up == -Vector3d::UnitY()) return Vector3d(-1.0, -1.0, 1.0).asDiagonal();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), up);
+  // Between axes all entries are 0 or 1; standard views are exact.
+  return turn.toRotationMatrix().array().round();
+}
+
+SurfaceCamera homeCamera(const Vector3d& up) {
+  SurfaceCamera camera;
+  const Eigen::Matrix3d turn = uprightTurn(up);
+  camera.towards = turn * camera.towards;
+  camera.up = turn * camera.up;
+  return camera;
+}
+
+SurfaceCamera seenFrom(const SurfaceCamera& camera, StandardView view, const Vector3d& up) {
   SurfaceCamera moved = camera;
   moved.centre.setZero();
   moved.up = Vector3d::UnitY();
@@ -158,6 +173,9 @@ SurfaceCamera seenFrom(const SurfaceCamera& camera, StandardView view) {
       moved.up = Vector3d::UnitZ();
       break;
   }
+  const Eigen::Matrix3d turn = uprightTurn(up);
+  moved.towards = turn * moved.towards;
+  moved.up = turn * moved.up;
   return moved;
 }
 

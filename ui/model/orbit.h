@@ -10,7 +10,8 @@ namespace flatland::ui {
 
 // How a hand moves the camera of a surface. Pixels: x right, y down, origin at the top left.
 
-/// Standard views: from the front (+z), the right (+x), above (+y) and their opposites.
+/// Standard views: from the front (+z), the right (+x), above (+y) and their opposites, where y
+/// points upward; of another axis that does, see uprightTurn().
 enum class StandardView { Front, Back, Right, Left, Top, Bottom };
 
 inline constexpr double kUsualPerspectiveDeg = 35;  ///< of the key that turns perspective on
@@ -55,8 +56,16 @@ SurfaceCamera panned(const SurfaceCamera& camera, const Projection& projection,
 SurfaceCamera zoomedAt(const SurfaceCamera& camera, const Projection& projection,
                        const Eigen::Vector2d& px, double factor);
 
+/// The rotation that takes y to the axis `up` (one of the three or its opposite) the shortest way;
+/// -y about z. So the front of what has z upward is seen from -y.
+Eigen::Matrix3d uprightTurn(const Eigen::Vector3d& up);
+
 /// The same camera looking along an axis, the ball in the middle; zoom and perspective stay.
-SurfaceCamera seenFrom(const SurfaceCamera& camera, StandardView view);
+SurfaceCamera seenFrom(const SurfaceCamera& camera, StandardView view,
+                       const Eigen::Vector3d& up = Eigen::Vector3d::UnitY());
+
+/// From where a surface is seen when it is opened.
+SurfaceCamera homeCamera(const Eigen::Vector3d& up);
 
 SurfaceCamera withPerspectiveToggled(const SurfaceCamera& camera);
 

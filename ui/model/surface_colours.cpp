@@ -11,7 +11,8 @@ namespace flatland::ui {
 
 namespace {
 
-constexpr double kKept = 0.98;  ///< share of the vertices within the scale
+constexpr double kKept = 0.98;         ///< share of the vertices within the scale
+constexpr double kLeastLambda = 1e-9;  ///< less is as good as flat, and has a logarithm
 constexpr Rgb kNoValue{0x9A, 0x9A, 0x9A};
 /// Ratios beyond a hundredth and a hundred are the same to the eye.
 constexpr double kRatioExponent = 2.0;
@@ -48,7 +49,7 @@ double valueOf(const SurfaceTerms& terms, SurfaceQuantity quantity) {
     case SurfaceQuantity::K2:
       return terms.k2;
     case SurfaceQuantity::Lambda:
-      return terms.lambda.value_or(kNone);
+      return terms.lambda ? std::log10(std::max(*terms.lambda, kLeastLambda)) : kNone;
     case SurfaceQuantity::Feature:
       return terms.lambda ? terms.feature : kNone;
     case SurfaceQuantity::Offset:
@@ -60,13 +61,34 @@ double valueOf(const SurfaceTerms& terms, SurfaceQuantity quantity) {
   return share ? std::clamp(std::log10(*share), -99.0, 99.0) : kNone;
 }
 
-/// What the share of the sizes stay below.
-double sizeWithin(std::vector<float> sizes, double share) {
-  if (sizes.empty()) return 0.0;
+/// What this share of the values stay below.
+double percentile(std::vector<float>& values, double share) {
+  if (values.empty()) return 0.0;
   const auto place =
-      sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
-  std::nth_element(sizes.begin(), place, sizes.end());
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
   return *place;
+}
+
+/// The ends of the scale, from the values of what is turned to the viewer.
+void setEnds(ColourScale& scale, std::vector<float> seen) {
+  switch (scale.quantity) {
+    case SurfaceQuantity::Lambda:
+      // It grows without bound towards silhouettes: only its logarithm shows more than those.
+      scale.low = percentile(seen, 1.0 - kKept);
+      scale.high = percentile(seen, kKept);
+      if (!(scale.high > scale.low)) scale.high = scale.low + 1.0;
+      return;
+    case SurfaceQuantity::OffsetShare:
+      scale.high = kRatioExponent;
+      break;
+    default:
+      for (float& value : seen) value = std::abs(value);
+      scale.high = percentile(seen, kKept);
+      if (!(scale.high > 0.0)) scale.high = 1.0;
+      break;
+  }
+  scale.low = -scale.high;
 }
 
 }  // namespace
@@ -84,25 +106,23 @@ VertexColours vertexColours(const TriangleMesh& mesh, const SurfaceFields& field
                             const SurfaceView& view, SurfaceQuantity quantity) {
   const auto count = static_cast<std::uint32_t>(mesh.vertexCount());
   std::vector<double> values(count, std::numeric_limits<double>::quiet_NaN());
-  std::vector<float> sizes;
-  sizes.reserve(count);
+  std::vector<float> seen;
+  seen.reserve(count);
   for (std::uint32_t v = 0; v < count; ++v) {
     const std::optional<SurfaceTerms> terms = termsAt(mesh, fields, view, v);
     if (!terms) continue;
     values[v] = valueOf(*terms, quantity);
     // What is turned away is not seen and must not stretch the scale.
     if (terms->nw > 0.0 && std::isfinite(values[v])) {
-      sizes.push_back(static_cast<float>(std::abs(values[v])));
+      seen.push_back(static_cast<float>(values[v]));
     }
   }
   VertexColours colours;
   ColourScale& scale = colours.scale;
   scale.quantity = quantity;
-  scale.logarithmic = quantity == SurfaceQuantity::OffsetShare;
   scale.diverging = quantity != SurfaceQuantity::Lambda;
-  scale.high = scale.logarithmic ? kRatioExponent : sizeWithin(std::move(sizes), kKept);
-  if (!(scale.high > 0.0)) scale.high = 1.0;
-  scale.low = scale.diverging ? -scale.high : 0.0;
+  scale.logarithmic = quantity == SurfaceQuantity::OffsetShare || !scale.diverging;
+  setEnds(scale, std::move(seen));
   colours.rgb.reserve(count);
   for (const double value : values) colours.rgb.push_back(scale.of(value));
   return colours;

@@ -16,7 +16,7 @@ namespace flatland::ui {
 /// them the colour of the end.
 struct ColourScale {
   SurfaceQuantity quantity = SurfaceQuantity::Lambda;
-  bool diverging = false;    ///< around 0 (ratios: around 1), else from 0
+  bool diverging = false;    ///< around 0 (ratios: around 1), else from low to high
   bool logarithmic = false;  ///< low and high are exponents of 10
   double low = 0.0, high = 1.0;
 
@@ -33,8 +33,8 @@ struct VertexColours {
 };
 
 /// The colours of a quantity seen from a view. The ends of the scale are the values that all but
-/// two in a hundred vertices stay within; for a flat mesh 0 to 1. Curvatures are made dimensionless
-/// by the size of the surface.
+/// two in a hundred vertices stay within; of lambda, whose scale is logarithmic, two in a hundred
+/// at either end. Curvatures are made dimensionless by the size of the surface.
 VertexColours vertexColours(const TriangleMesh& mesh, const SurfaceFields& fields,
                             const SurfaceView& view, SurfaceQuantity quantity);
 

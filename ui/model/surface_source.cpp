@@ -5,6 +5,8 @@
 
 #include "flatland/io/input_error.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/model/orbit.h"
+#include "ui/model/surface_look.h"
 
 namespace flatland::ui {
 
@@ -103,7 +105,7 @@ void SurfaceSource::show(const std::shared_ptr<const LoadedSurface>& surface, bo
   if (isNew) {
     SurfaceSetting setting = document_.scene().surface.value_or(SurfaceSetting{});
     setting.mesh = surface->reference;
-    setting.camera = SurfaceCamera{};
+    setting.camera = homeCamera(upAxisOf(setting));
     setting.savedCameras.clear();
     document_.push(std::make_unique<SetSurface>(
         document_, std::move(setting),

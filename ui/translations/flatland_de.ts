@@ -2611,6 +2611,18 @@
         <source>Co&amp;mpare</source>
         <translation>&amp;Vergleichen</translation>
     </message>
+    <message>
+        <source>This axis of the file points upward</source>
+        <translation>Diese Achse der Datei zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>change up axis</source>
+        <translation>Achse nach oben ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Up Axis</source>
+        <translation>&amp;Achse nach oben</translation>
+    </message>
 </context>
 <context>
     <name>SweepWords</name>
@@ -4725,16 +4737,23 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
         <translation>flaeche</translation>
     </message>
     <message>
-        <source>Lines as vectors (*.svg *.pdf *.tex);;Picture with shading (*.png)</source>
-        <translation>Linien als Vektoren (*.svg *.pdf *.tex);;Bild mit Schattierung (*.png)</translation>
-    </message>
-    <message>
         <source>The lines are not found yet; export again in a moment.</source>
         <translation>Die Linien sind noch nicht gefunden; exportiere gleich noch einmal.</translation>
     </message>
     <message>
         <source>Exported to %1</source>
         <translation>Exportiert nach %1</translation>
+    </message>
+    <message>
+        <source>Lines as vectors (*.svg *.pdf *.tex);;Picture with shading (*.png);;Curvature at the vertices (*.ply *.csv);;Cameras for flatland lines (*.json)</source>
+        <translation>Linien als Vektoren (*.svg *.pdf *.tex);;Bild mit Schattierung (*.png);;Krümmung an den Ecken (*.ply *.csv);;Kameras für flatland lines (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SurfaceExporter</name>
+    <message>
+        <source>%1 is the mesh itself, which would be lost</source>
+        <translation>%1 ist das Netz selbst, das verloren ginge</translation>
     </message>
 </context>
 <context>

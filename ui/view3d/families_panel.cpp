@@ -30,6 +30,7 @@ constexpr int kSliderEnd = 200;
 constexpr double kDecades = 4.0, kLeast = 0.01;
 constexpr double kMostThreshold = 1e6, kMostWidth = 12.0;
 constexpr int kIconPx = 16;
+constexpr int kMarginPx = 6;
 // In px: a row of six columns has room in the dock, in German too.
 constexpr int kSliderWidth = 32, kThresholdWidth = 52, kWidthWidth = 36;
 
@@ -66,6 +67,7 @@ FamiliesPanel::FamiliesPanel(const SurfaceModels& models, QWidget* parent)
     : QWidget(parent), models_(models) {
   setObjectName("families-panel");
   auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kMarginPx, kMarginPx, kMarginPx, kMarginPx);
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(4);
   grid->setVerticalSpacing(1);

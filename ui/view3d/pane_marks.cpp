@@ -48,9 +48,9 @@ QStringList differenceLines(const SurfaceModels& models) {
           PaneMarkWords::tr("Missing: %1 % of the first").arg(percent(difference.missingShare))};
 }
 
-void paintDifferenceLegend(QPainter& painter, const QRect& bounds, const SurfaceModels& models) {
+int paintDifferenceLegend(QPainter& painter, const QRect& bounds, const SurfaceModels& models) {
   const QStringList lines = differenceLines(models);
-  if (lines.isEmpty()) return;
+  if (lines.isEmpty()) return 0;
   const QFontMetrics metrics = painter.fontMetrics();
   int width = 0;
   for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
@@ -68,6 +68,7 @@ void paintDifferenceLegend(QPainter& painter, const QRect& bounds, const Surface
     painter.drawText(QRect(box.left() + kSamplePx + gap, top, width, height), Qt::AlignLeft,
                      lines[i]);
   }
+  return box.height() + gap;
 }
 
 void paintFirstCamera(QPainter& painter, const SurfaceModels& models,

@@ -21,8 +21,8 @@ QStringList inkLines(const SurfaceModels& models);
 QStringList differenceLines(const SurfaceModels& models);
 
 /// The same as a legend with its lower right corner at that of `bounds`. Text in the painter's pen
-/// on its background.
-void paintDifferenceLegend(QPainter& painter, const QRect& bounds, const SurfaceModels& models);
+/// on its background. Its height, px; 0 if there is none.
+int paintDifferenceLegend(QPainter& painter, const QRect& bounds, const SurfaceModels& models);
 
 /// Where the first view is looked at from, in a view with a camera of its own: an eye, and an arrow
 /// along its line of sight, paler where the surface is in front. Nothing in other views.

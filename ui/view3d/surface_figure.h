@@ -8,9 +8,12 @@
 
 namespace flatland::ui {
 
-/// The lines of a picture as vectors, with what is hidden cast out exactly and not by pixels: the
-/// families, thresholds, colours and widths that the window shows. Coordinates in px of `size`.
-/// Works in any thread; seconds for a large mesh. Precondition: the picture's surface has fields.
-Figure surfaceFigure(const SurfacePicture& picture, const QSize& size, std::stop_token stop = {});
+/// The lines of all views as vectors side by side (figure_cells.h), with what is hidden cast out
+/// exactly and not by pixels: the families, thresholds, colours and widths that the window shows.
+/// Thresholds for ink are solved for the picture at hand. Coordinates in px of `size`. Works in any
+/// thread; seconds for a large mesh. Preconditions: all are of one surface, which has fields; what
+/// shows a difference has it.
+Figure surfaceFigure(const std::vector<SurfacePicture>& pictures, const QSize& size,
+                     std::stop_token stop = {});
 
 }  // namespace flatland::ui

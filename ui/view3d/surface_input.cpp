@@ -11,6 +11,7 @@
 
 #include "ui/flat/wheel.h"
 #include "ui/model/orbit.h"
+#include "ui/model/surface_look.h"
 #include "ui/model/surface_probe.h"
 
 namespace flatland::ui {
@@ -240,15 +241,16 @@ bool SurfaceInput::key(const QKeyEvent& event) {
                   : orbited(camera(), by, canvas_.height()));
   };
   SurfaceCamera other = camera();
+  const Eigen::Vector3d up = upAxisOf(*models_.document.scene().surface);
   switch (event.key()) {
     case Qt::Key_1:
-      setCamera(seenFrom(other, StandardView::Front));
+      setCamera(seenFrom(other, StandardView::Front, up));
       break;
     case Qt::Key_3:
-      setCamera(seenFrom(other, StandardView::Right));
+      setCamera(seenFrom(other, StandardView::Right, up));
       break;
     case Qt::Key_7:
-      setCamera(seenFrom(other, StandardView::Top));
+      setCamera(seenFrom(other, StandardView::Top, up));
       break;
     case Qt::Key_9:
       other.towards = -other.towards;
@@ -268,7 +270,7 @@ bool SurfaceInput::key(const QKeyEvent& event) {
     case Qt::Key_0:
     case Qt::Key_R:
     case Qt::Key_Home:
-      setCamera(SurfaceCamera{});
+      setCamera(homeCamera(up));
       break;
     case Qt::Key_Space:
       if (!event.isAutoRepeat()) setSpinning(!isSpinning());

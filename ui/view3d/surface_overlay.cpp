@@ -16,6 +16,7 @@ namespace {
 constexpr int kMargin = 10;
 constexpr double kBehindText = 0.72;  ///< opacity of the ground below words
 constexpr QSize kBar(180, 12);
+constexpr double kNarrowWidth = 420.0;  ///< that does not hold reading and legend side by side
 
 QString number(double value) { return QLocale().toString(value, 'g', 4); }
 
@@ -131,17 +132,22 @@ void SurfaceOverlay::paintEvent(QPaintEvent*) {
     paintPick(painter, models_, projection);
     paintFirstCamera(painter, models_, projection);
   }
-  paintLines(painter, rect(), titleLines(), Qt::AlignLeft | Qt::AlignTop);
+  // Beside other views the name stands in the first one alone.
+  if (models_.pane == 0) paintLines(painter, rect(), titleLines(), Qt::AlignLeft | Qt::AlignTop);
   paintLines(painter, rect(), timeLines(), Qt::AlignRight | Qt::AlignTop);
-  paintLines(painter, rect(), readingLines(), Qt::AlignLeft | Qt::AlignBottom);
-  paintDifferenceLegend(painter, rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), models_);
-  paintLegend(painter);
+  int taken = paintLegend(painter);
+  taken += paintDifferenceLegend(
+      painter, rect().adjusted(kMargin, kMargin, -kMargin, -kMargin - taken), models_);
+  // In a narrow view there is no room beside the legend.
+  const bool narrow = width() < kNarrowWidth * models_.display.uiScale();
+  paintLines(painter, rect().adjusted(0, 0, 0, narrow ? -taken : 0), readingLines(),
+             Qt::AlignLeft | Qt::AlignBottom);
 }
 
-void SurfaceOverlay::paintLegend(QPainter& painter) {
+int SurfaceOverlay::paintLegend(QPainter& painter) {
   const SurfacePicture picture = pictureOf(models_);
   const VertexColours* map = picture.surface ? picture.colours() : nullptr;
-  if (!map) return;
+  if (!map) return 0;
   const ColourScale& scale = map->scale;
   const int line = painter.fontMetrics().height();
   const QSize bar = kBar * models_.display.uiScale();
@@ -164,6 +170,7 @@ void SurfaceOverlay::paintLegend(QPainter& painter) {
   painter.drawText(words, Qt::AlignLeft, end(scale.low));
   if (scale.diverging) painter.drawText(words, Qt::AlignHCenter, scale.logarithmic ? "1" : "0");
   painter.drawText(words, Qt::AlignRight, end(scale.high));
+  return height() - box.top() + line;
 }
 
 }  // namespace flatland::ui

@@ -30,7 +30,8 @@ class SurfaceOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintLegend(QPainter& painter);
+  /// The legend of the colour map, if there is one; how much of the bottom it takes, px.
+  int paintLegend(QPainter& painter);
 
   SurfaceModels models_;
   double frameMs_ = 0.0;

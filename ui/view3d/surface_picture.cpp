@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/export/figure_cells.h"
 #include "ui/model/orbit.h"
 #include "ui/model/theme.h"
+#include "ui/view3d/pane_menu.h"
 
 namespace flatland::ui {
 
@@ -253,7 +255,7 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
     return {};
   }
   std::vector<LineLayer> layers;
-  if (picture.difference) {
+  if (picture.pane.difference) {
     // Nothing before it is computed: whole lines would say that all of them differ.
     if (!picture.seen->difference) return {};
     for (std::size_t part = 0; part < SeenDifference::kParts; ++part) {
@@ -280,10 +282,20 @@ SurfacePicture pictureOf(const SurfaceModels& models) {
   const PaneSetting pane = models.setting();
   picture.setting = pane.surface;
   picture.setting.camera = pane.camera;
-  picture.difference = pane.difference;
+  picture.pane = paneSetting(*models.document.scene().surface, models.pane);
   picture.surface = models.source.surface();
   picture.seen = models.seen.seen();
   return picture;
+}
+
+std::vector<SurfacePicture> picturesOf(const SurfaceModels& models) {
+  std::vector<SurfacePicture> pictures;
+  for (std::size_t pane = 0; pane < models.views.count(); ++pane) {
+    const SurfaceModels view = models.of(pane);
+    pictures.push_back(pictureOf(view));
+    if (view.there()) pictures.back().title = paneWords(view).toStdString();
+  }
+  return pictures;
 }
 
 ShadingColours shadingColours(Palette palette) {
@@ -314,6 +326,25 @@ QImage paintSurface(const SurfacePicture& picture, const QSize& size) {
     return empty;
   }
   return Painter(picture, size).paint();
+}
+
+QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size) {
+  if (pictures.size() == 1) return paintSurface(pictures.front(), size);
+  QImage all(size, QImage::Format_RGB32);
+  const SceneColours& colours = sceneColours(pictures.front().palette);
+  const auto shade = [](Rgb c) { return QColor(c.r, c.g, c.b); };
+  all.fill(shade(colours.background));
+  QPainter painter(&all);
+  painter.setPen(shade(colours.text));
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const CellPlace place = cellPlace(i, pictures.size(), size.width(), size.height());
+    const QRect cell = QRectF(place.left, place.top, place.width, place.height).toRect();
+    painter.drawImage(cell.topLeft(), paintSurface(pictures[i], cell.size()));
+    const int row = qRound(place.titleHeight);
+    painter.drawText(QRect(cell.left() + 4, cell.top() - row, cell.width() - 8, row),
+                     Qt::AlignLeft | Qt::AlignVCenter, QString::fromStdString(pictures[i].title));
+  }
+  return all;
 }
 
 }  // namespace flatland::ui

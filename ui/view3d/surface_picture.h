@@ -5,6 +5,7 @@
 #include <QSize>
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "ui/model/seen_surface.h"
@@ -21,7 +22,9 @@ struct SurfacePicture {
   Palette palette = Palette::Light;
   double lineScale = 1.0;  ///< of the widths
 
-  bool difference = false;  ///< the lines are those of SeenSurface::difference
+  /// The same as it was asked for: for vectors, which find their lines and solve for ink anew.
+  PaneSetting pane;
+  std::string title;  ///< of one of several views
 
   /// The colour map is there and asked for.
   const VertexColours* colours() const;
@@ -41,6 +44,9 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture);
 /// What a part of a difference looks like, by SeenDifference::Part.
 Rgb differenceColour(std::size_t part, Palette palette);
 
+/// What all views show now, the first one first.
+std::vector<SurfacePicture> picturesOf(const SurfaceModels& models);
+
 /// What a view shows now.
 SurfacePicture pictureOf(const SurfaceModels& models);
 
@@ -59,5 +65,8 @@ inline constexpr float kDashPx = 3.0f;  ///< of hidden lines
 /// The picture without OpenGL, the same but for the smoothing of edges. Works in any thread and at
 /// any size; about 50 ms a megapixel.
 QImage paintSurface(const SurfacePicture& picture, const QSize& size);
+
+/// Several of them side by side, with their titles (figure_cells.h).
+QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size);
 
 }  // namespace flatland::ui

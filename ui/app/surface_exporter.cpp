@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/surface_exporter.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+#include <QImage>
+#include <filesystem>
+#include <set>
+
+#include "core3d/io/cameras_json.h"
+#include "core3d/io/fields_text.h"
+#include "flatland/io/atomic_file.h"
+#include "flatland/io/input_error.h"
+#include "flatland/io/scene_json.h"
+#include "ui/model/orbit.h"
+#include "ui/model/paths.h"
+#include "ui/plot/figure_files.h"
+#include "ui/view3d/surface_figure.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr std::size_t kLongestName = 64;  ///< of a camera in a list
+
+/// A name that can be a part of a file's name: letters, digits, "-" and "_", none twice.
+std::string fileNamePart(const std::string& name, std::set<std::string>& taken) {
+  std::string part;
+  for (const char c : name) {
+    const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '_' || c == '-';
+    if (kept) {
+      part += c;
+    } else if (!part.empty() && part.back() != '-') {
+      part += '-';
+    }
+  }
+  if (part.empty()) part = "camera";
+  part.resize(std::min(part.size(), kLongestName - 8));
+  std::string free = part;
+  for (int i = 2; !taken.insert(free).second; ++i) free = part + "-" + std::to_string(i);
+  return free;
+}
+
+}  // namespace
+
+std::string camerasText(const SurfaceSetting& setting) {
+  // Its margin and size are those of the command line: they are not written.
+  constexpr double kAnySize = 100.0;
+  std::set<std::string> taken{"now"};
+  std::vector<NamedCamera> cameras{{"now", drawingCamera(setting.camera, kAnySize, kAnySize)}};
+  for (const SavedCamera& saved : setting.savedCameras) {
+    cameras.push_back(
+        {fileNamePart(saved.name, taken), drawingCamera(saved.camera, kAnySize, kAnySize)});
+  }
+  return camerasToJson(cameras);
+}
+
+SurfaceExporter::SurfaceExporter(const SurfaceModels& models, QObject* parent)
+    : QObject(parent), models_(models) {
+  connect(&job_, &Job::failed, this, &SurfaceExporter::failed);
+}
+
+void SurfaceExporter::exportTo(const QString& name, const QSize& size) {
+  const auto& surface = models_.source.surface();
+  if (!surface || !models_.there()) return;
+  std::error_code notThere;  // then they differ
+  if (std::filesystem::equivalent(surface->reference, toPath(name), notThere)) {
+    return emit failed(tr("%1 is the mesh itself, which would be lost").arg(name));
+  }
+  const QString suffix = QFileInfo(name).suffix().toLower();
+  if (suffix == "png") return writePicture(name, size);
+  if (suffix == "json") return writeCameras(name);
+  if (!surface->fields) return emit notYet();
+  if (suffix == "ply" || suffix == "csv") return writeFields(name);
+  writeLines(name, size);
+}
+
+void SurfaceExporter::writePicture(const QString& name, const QSize& size) {
+  job_.start<QImage>(
+      [pictures = picturesOf(models_), size](const JobControl&) {
+        return std::optional(paintSurfaces(pictures, size));
+      },
+      [this, name](const QImage& image) {
+        write(name, [&] {
+          QByteArray png;
+          QBuffer buffer(&png);
+          buffer.open(QIODevice::WriteOnly);
+          if (!image.save(&buffer, "PNG")) {
+            throw InputError(name.toStdString(), "", "no picture of this size can be made");
+          }
+          writeFileAtomically(toPath(name), std::string_view(png.constData(),
+                                                             static_cast<std::size_t>(png.size())));
+        });
+      });
+}
+
+void SurfaceExporter::writeLines(const QString& name, const QSize& size) {
+  const std::vector<SurfacePicture> pictures = picturesOf(models_);
+  for (const SurfacePicture& picture : pictures) {
+    if (picture.pane.difference && !(picture.seen && picture.seen->difference)) {
+      return emit notYet();
+    }
+  }
+  job_.start<Figure>(
+      [pictures, size](const JobControl&) { return std::optional(surfaceFigure(pictures, size)); },
+      [this, name, title = surfaceName(models_.source.surface()->reference),
+       scene = models_.document.scene()](const Figure& figure) {
+        write(name, [&] {
+          writeFigureFile(toPath(name), {.suggestedName = {},
+                                         .title = title,
+                                         .sceneJson = sceneToJson(scene),
+                                         .figure = [&figure] { return figure; },
+                                         .table = {}});
+        });
+      });
+}
+
+void SurfaceExporter::writeFields(const QString& name) {
+  const auto& surface = models_.source.surface();
+  constexpr double kAnySize = 100.0;  // the viewer stands where he does at every size
+  const SurfaceView view = orbitProjection(models_.document.scene().surface->camera,
+                                           surface->ballRadius, kAnySize, kAnySize)
+                               .view();
+  const bool csv = QFileInfo(name).suffix().toLower() == "csv";
+  job_.start<std::string>(
+      [surface, view, csv](const JobControl&) {
+        return std::optional(csv ? fieldsToCsv(*surface->mesh, *surface->fields, view)
+                                 : fieldsToPly(*surface->mesh, *surface->fields, view));
+      },
+      [this, name](const std::string& text) {
+        write(name, [&] { writeFileAtomically(toPath(name), text); });
+      });
+}
+
+void SurfaceExporter::writeCameras(const QString& name) {
+  const std::string text = camerasText(*models_.document.scene().surface);
+  write(name, [&] { writeFileAtomically(toPath(name), text); });
+}
+
+void SurfaceExporter::write(const QString& name, const std::function<void()>& writing) {
+  try {
+    writing();
+  } catch (const InputError& error) {
+    return emit failed(QString::fromStdString(error.what()));
+  }
+  emit written(name);
+}
+
+}  // namespace flatland::ui
