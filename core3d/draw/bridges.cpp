@@ -15,12 +15,20 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kDirectionPx = 6.0;  // an end points as its last pixels do
+// The ends point the same way within 60 degrees, as at a junction, and so does the gap between them
+// within 45.
+constexpr double kLeastTurnCosine = 0.5;
 constexpr double kLeastCosine = 0.7;
 // Gaps shorter than this say nothing about a direction.
 constexpr double kNoGapPx = 0.5;
 // How much longer a gap may be on the surface than it looks: what stands before something else is
 // not joined with it.
 constexpr double kMostSlant = 4.0;
+// Where one line takes over from another they often run side by side for a while, this far apart at
+// most: less than two pens are wide.
+constexpr double kBesidePx = 2.5;
+// For so many times the largest gap.
+constexpr double kOverlapTimes = 2.0;
 
 using End = std::size_t;  // 2 * line for its first point, 2 * line + 1 for its last
 constexpr End kNoEnd = static_cast<End>(-1);
@@ -31,19 +39,42 @@ struct Tip {
   double length;  // of the chain
 };
 
+// The place on the screen, so far back from an end.
+Vector2d seenBehind(const ScreenChain& line, bool last, double back) {
+  const double place = last ? line.length() - back : back;
+  const std::size_t i = line.at(place).piece;
+  const double size = line.along[i + 1] - line.along[i];
+  const double share = size > 0.0 ? std::clamp((place - line.along[i]) / size, 0.0, 1.0) : 0.0;
+  return line.screen[i] + share * (line.screen[i + 1] - line.screen[i]);
+}
+
 Tip tipOf(const ScreenChain& line, bool last) {
   const double length = line.length();
-  const double back = std::min(kDirectionPx, length);
   const std::size_t tip = last ? line.screen.size() - 1 : 0;
-  const ScreenChain::Point inner = line.at(last ? length - back : back);
-  // Between the picture's points; exact enough for a direction.
-  const std::size_t i = inner.piece;
-  const double size = line.along[i + 1] - line.along[i];
-  const double place = last ? length - back : back;
-  const double share = size > 0.0 ? (place - line.along[i]) / size : 0.0;
-  const Vector2d from = line.screen[i] + share * (line.screen[i + 1] - line.screen[i]);
+  const Vector2d from = seenBehind(line, last, std::min(kDirectionPx, length));
   return {line.screen[tip], (line.screen[tip] - from).stableNormalized(),
           line.chain.points[tip].cast<double>(), length};
+}
+
+// An open line without so much of its ends.
+LineChain cutBack(const ScreenChain& line, double front, double back) {
+  const double from = front, to = line.length() - back;
+  LineChain result = line.chain;
+  if (front <= 0.0 && back <= 0.0) return result;
+  const ScreenChain::Point first = line.at(from), last = line.at(to);
+  const auto keep = [&](auto& all, std::size_t begin, std::size_t end) {
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(end), all.end());
+    all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin));
+  };
+  keep(result.points, first.piece, last.piece + 2);
+  keep(result.strength, first.piece, last.piece + 2);
+  keep(result.triangles, first.piece, last.piece + 1);
+  if (!result.standsOut.empty()) keep(result.standsOut, first.piece, last.piece + 1);
+  result.points.front() = first.at.cast<float>();
+  result.points.back() = last.at.cast<float>();
+  result.strength.front() = first.strength;
+  result.strength.back() = last.strength;
+  return result;
 }
 
 class Bridges {
@@ -52,7 +83,8 @@ class Bridges {
       : lines_(lines),
         pxPerUnit_(pxPerUnit),
         gap_(largestGapPx),
-        partner_(2 * lines.size(), kNoEnd) {
+        partner_(2 * lines.size(), kNoEnd),
+        cut_(2 * lines.size(), 0.0) {
     for (const ScreenChain& line : lines) {
       for (const bool last : {false, true}) {
         tips_.push_back(line.chain.closed ? Tip{} : tipOf(line, last));
@@ -68,6 +100,7 @@ class Bridges {
       if (partner_[e] != kNoEnd || partner_[f] != kNoEnd) continue;
       partner_[e] = f;
       partner_[f] = e;
+      cut_[e] = cut_[f] = cutFor(e, f);
     }
   }
 
@@ -86,9 +119,11 @@ class Bridges {
  private:
   using Cell = std::pair<std::int64_t, std::int64_t>;
 
+  double overlap() const { return kOverlapTimes * gap_; }
+  double cell() const { return overlap() + kBesidePx; }
   Cell cellOf(const Vector2d& p) const {
-    return {static_cast<std::int64_t>(std::floor(p.x() / gap_)),
-            static_cast<std::int64_t>(std::floor(p.y() / gap_))};
+    return {static_cast<std::int64_t>(std::floor(p.x() / cell())),
+            static_cast<std::int64_t>(std::floor(p.y() / cell()))};
   }
 
   void addCandidates(End e, const Cell& cell,
@@ -106,22 +141,51 @@ class Bridges {
     }
   }
 
+  // How far an end lies ahead of another, and how far beside.
+  struct Gap {
+    double ahead, beside;
+  };
+  Gap gapOf(End e, End f) const {
+    const Vector2d gap = tips_[f].screen - tips_[e].screen;
+    const Vector2d along = (tips_[e].outward - tips_[f].outward).stableNormalized();
+    const double ahead = along.dot(gap);
+    return {ahead, (gap - ahead * along).norm()};
+  }
+
+  // So that a bridge turns by 45 degrees at most, what is beside each other is cut from both.
+  double cutFor(End e, End f) const {
+    const Gap gap = gapOf(e, f);
+    return std::max(0.0, (gap.beside - gap.ahead) / 2.0);
+  }
+
+  // True if the part of a line that reaches past the end of another stays beside that.
+  bool runsBeside(End e, End f, double overlap) const {
+    const Vector2d behind = seenBehind(lines_[f / 2], f % 2 == 1, overlap);
+    return (behind - tips_[e].screen).norm() <= kBesidePx;
+  }
+
   // Negative if the ends do not belong together.
   double costOf(End e, End f) const {
     const Tip &a = tips_[e], &b = tips_[f];
-    const Vector2d gap = b.screen - a.screen;
-    const double size = gap.norm();
-    if (size > std::min({gap_, a.length, b.length})) return -1.0;
+    const double size = (b.screen - a.screen).norm(), shorter = std::min(a.length, b.length);
     if (lines_[e / 2].chain.level != lines_[f / 2].chain.level) return -1.0;
     // Its own ends: only if that makes a loop and not a hairpin.
     if (e / 2 == f / 2 && (lines_[e / 2].screen.size() < 3 || a.length < 4.0 * gap_)) return -1.0;
     if ((b.at - a.at).norm() * pxPerUnit_ > kMostSlant * std::max(size, kNoGapPx)) return -1.0;
     const double turn = -a.outward.dot(b.outward);
-    if (turn < kLeastCosine) return -1.0;
-    if (size > kNoGapPx &&
-        (a.outward.dot(gap) < kLeastCosine * size || -b.outward.dot(gap) < kLeastCosine * size)) {
-      return -1.0;
+    if (turn < kLeastTurnCosine) return -1.0;
+    const Vector2d gap = b.screen - a.screen;
+    if (size <= std::min(gap_, shorter) &&
+        (size <= kNoGapPx || (a.outward.dot(gap) >= kLeastCosine * size &&
+                              -b.outward.dot(gap) >= kLeastCosine * size))) {
+      return size * (2.0 - turn);
     }
+    const Gap g = gapOf(e, f);
+    if (g.beside > kBesidePx || g.ahead > g.beside || -g.ahead > overlap()) return -1.0;
+    // Half of a line is its other end's.
+    if (cutFor(e, f) > shorter / 2.0) return -1.0;
+    const double common = std::max(0.0, -g.ahead);
+    if (!runsBeside(e, f, common) || !runsBeside(f, e, common)) return -1.0;
     return size * (2.0 - turn);
   }
 
@@ -133,7 +197,8 @@ class Bridges {
     while (true) {
       const LineChain& next = lines_[e / 2].chain;
       used[e / 2] = true;
-      append(chain, next, e % 2 == 1);
+      append(chain, next.closed ? next : cutBack(lines_[e / 2], cut_[e & ~End{1}], cut_[e | 1u]),
+             e % 2 == 1);
       if (next.closed) {
         chain.closed = true;
         return chain;
@@ -167,6 +232,7 @@ class Bridges {
   double pxPerUnit_, gap_;
   std::vector<Tip> tips_;
   std::vector<End> partner_;
+  std::vector<double> cut_;  // from each end, px
   std::map<Cell, std::vector<End>> cells_;
 };
 

@@ -32,8 +32,10 @@ constexpr double kLongShare = 0.02;
 // Ink that is closer to what was asked for counts as reached.
 constexpr double kInkTolerance = 0.01;
 
-// However far the thresholds fall for ink, strokes are weighed by this share of the given
-// threshold: ink that no lines are left for is not made up of crumbs.
+// Where thresholds fall for ink, the unit of weight falls more slowly, as the mean of the given and
+// the used one: what is fainter has to be longer, or short strokes would come before long ones. It
+// stays at this share of the given threshold at least: ink that no lines are left for is not made
+// up of crumbs.
 constexpr double kLeastUnit = 0.3;
 
 class Clock {
@@ -131,7 +133,8 @@ class Strokes {
   // See Drawing::weak.
   double weak(LineFamily family, double factor) const {
     const double given = lines_.threshold[indexOf(family)];
-    return movesWithInk(family) ? given * std::max(factor, kLeastUnit) : given;
+    if (!movesWithInk(family)) return given;
+    return given * (factor > 1.0 ? factor : std::max(std::sqrt(factor), kLeastUnit));
   }
 
   std::vector<StrokePart> parts(double factor) const {

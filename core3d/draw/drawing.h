@@ -76,8 +76,9 @@ struct Drawing {
   /// one is not repeated among contours and boundaries.
   std::vector<Polyline> polylines;
   Projection projection;
-  /// Of each family, the strength that counts as weak: the threshold that was used, but 0.3 of the
-  /// given one if ink made it less. 0 for families without a threshold.
+  /// Of each family, the strength that counts as weak: the threshold that was used; if ink made it
+  /// less, the geometric mean of it and the given one, at least 0.3 of that. 0 for families without
+  /// a threshold.
   std::array<double, kLineFamilyCount> weak{};
   DrawingStats stats;
 };

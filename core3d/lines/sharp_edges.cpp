@@ -3,8 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include "core3d/mesh/crease_angles.h"
 
@@ -23,6 +27,12 @@ constexpr float kFlatRad = 1.0f * kRad;
 // On a coarse sphere this ratio is near 1, between a flat face and any other large; noise makes
 // both about as large.
 constexpr float kStandsAlone = 2.0f;
+// Where a sharp edge ends, the edge that goes on in its direction need not stand alone so clearly:
+// along one crease some edges fail by accident.
+constexpr float kGoesOn = 1.0f;
+constexpr float kGoesOnCosine = 0.7f;
+// Fewer edges in a row than that are noise of a scan, if no border and no fold is among them.
+constexpr std::uint32_t kLeastInARow = 4;
 
 class Finder {
  public:
@@ -38,7 +48,10 @@ class Finder {
   const Vector3f& normal(std::uint32_t triangle) const { return normals_[triangle]; }
   bool isConvex(std::uint32_t halfEdge) const { return turnAt(halfEdge) > 0.0f; }
 
-  bool isSharp(std::uint32_t h) const {
+  bool isFold(std::uint32_t h) const { return std::abs(turnAt(h)) >= kFoldRad; }
+
+  // `times`: by how much an edge has to turn more than the surface beside it.
+  bool isSharp(std::uint32_t h, float times = kStandsAlone) const {
     // Most edges are flat, which is known without an angle.
     const float cosine = normals_[h / 3].dot(normals_[mesh_.opposite[h] / 3]);
     if (cosine > std::cos(kLeastRad)) return false;
@@ -49,7 +62,7 @@ class Finder {
     const bool quads = turn < kPrismRad;
     const float beside =
         std::max(bendBeside(h, along, quads), bendBeside(mesh_.opposite[h], along, quads));
-    return turn > kStandsAlone * beside;
+    return turn > times * beside;
   }
 
   Vector3f direction(std::uint32_t h) const {
@@ -100,6 +113,97 @@ class Finder {
   std::vector<Vector3f> normals_;  // of the triangles
 };
 
+// The sharp edges, and whether a half-edge is of one.
+struct Edges {
+  std::vector<SharpEdge> edges;
+  std::vector<bool> sharp;
+};
+
+Edges edgesThatStandAlone(const TriangleMesh& mesh, const Finder& finder) {
+  Edges found{{}, std::vector<bool>(mesh.opposite.size(), false)};
+  for (std::uint32_t h = 0; h < mesh.opposite.size(); ++h) {
+    if (!mesh.hasOpposite(h) || mesh.opposite[h] < h || !finder.isSharp(h)) continue;
+    found.sharp[h] = found.sharp[mesh.opposite[h]] = true;
+    found.edges.push_back({h, finder.isConvex(h)});
+  }
+  return found;
+}
+
+// The half-edge from a vertex that goes on with a sharp edge that ends there.
+std::optional<std::uint32_t> continuation(const TriangleMesh& mesh, const Finder& finder,
+                                          std::uint32_t vertex, const Vector3f& along,
+                                          bool convex) {
+  std::optional<std::uint32_t> best;
+  float straightest = kGoesOnCosine;
+  for (std::uint32_t i = mesh.cornerStart[vertex]; i < mesh.cornerStart[vertex + 1]; ++i) {
+    const std::uint32_t h = mesh.cornersAt[i];
+    if (!mesh.hasOpposite(h)) continue;
+    const float cosine = finder.direction(h).dot(along);
+    if (!(cosine > straightest) || finder.isConvex(h) != convex) continue;
+    if (!finder.isSharp(h, kGoesOn)) continue;
+    straightest = cosine;
+    best = h;
+  }
+  return best;
+}
+
+// How many sharp edges meet at a vertex.
+int meetingAt(const TriangleMesh& mesh, const Edges& found, std::uint32_t vertex) {
+  int count = 0;
+  for (std::uint32_t i = mesh.cornerStart[vertex]; i < mesh.cornerStart[vertex + 1]; ++i) {
+    if (found.sharp[mesh.cornersAt[i]]) ++count;
+  }
+  return count;
+}
+
+// What is added goes on in its turn. A single edge leads nowhere: on coarse round surfaces some
+// stand alone by accident.
+void goOn(const TriangleMesh& mesh, const Finder& finder, Edges& found) {
+  for (std::size_t i = 0; i < found.edges.size(); ++i) {
+    const SharpEdge edge = found.edges[i];
+    for (const std::uint32_t h : {edge.halfEdge, mesh.opposite[edge.halfEdge]}) {
+      const std::uint32_t end = mesh.vertexOf(TriangleMesh::nextCorner(h));
+      const std::uint32_t start = mesh.vertexOf(h);
+      if (mesh.isAtEdge(end) || meetingAt(mesh, found, end) > 1) continue;
+      if (!mesh.isAtEdge(start) && meetingAt(mesh, found, start) < 2) continue;
+      const auto next = continuation(mesh, finder, end, finder.direction(h), edge.convex);
+      if (!next || found.sharp[*next]) continue;
+      found.sharp[*next] = found.sharp[mesh.opposite[*next]] = true;
+      found.edges.push_back({std::min(*next, mesh.opposite[*next]), edge.convex});
+    }
+  }
+}
+
+// Forgets edges that hang together with few others.
+void dropCrumbs(const TriangleMesh& mesh, const Finder& finder, Edges& found) {
+  std::unordered_map<std::uint32_t, std::uint32_t> above;  // vertices, as a forest
+  const auto root = [&above](std::uint32_t v) {
+    for (auto at = above.try_emplace(v, v).first; at->second != v; at = above.find(v)) {
+      v = at->second = above.at(at->second);
+    }
+    return v;
+  };
+  const auto ends = [&mesh](const SharpEdge& e) {
+    return std::array{mesh.vertexOf(e.halfEdge),
+                      mesh.vertexOf(TriangleMesh::nextCorner(e.halfEdge))};
+  };
+  for (const SharpEdge& edge : found.edges) {
+    const auto [a, b] = ends(edge);
+    above[root(a)] = root(b);
+  }
+  std::unordered_map<std::uint32_t, std::uint32_t> size;
+  for (const SharpEdge& edge : found.edges) {
+    const auto [a, b] = ends(edge);
+    const bool sure = finder.isFold(edge.halfEdge) || mesh.isAtEdge(a) || mesh.isAtEdge(b);
+    size[root(a)] += sure ? kLeastInARow : 1;
+  }
+  std::erase_if(found.edges, [&](const SharpEdge& edge) {
+    if (size[root(ends(edge)[0])] >= kLeastInARow) return false;
+    found.sharp[edge.halfEdge] = found.sharp[mesh.opposite[edge.halfEdge]] = false;
+    return true;
+  });
+}
+
 // The angle of a triangle at one of its corners.
 float angleAt(const TriangleMesh& mesh, std::uint32_t corner) {
   const Vector3f p = mesh.position(mesh.vertexOf(corner));
@@ -112,16 +216,17 @@ float angleAt(const TriangleMesh& mesh, std::uint32_t corner) {
 
 SharpEdges::SharpEdges(const TriangleMesh& mesh, const SurfaceFields& fields) {
   const Finder finder(mesh);
-  std::vector<std::uint32_t> ends;
-  std::vector<bool> sharp(mesh.opposite.size(), false);
-  for (std::uint32_t h = 0; h < mesh.opposite.size(); ++h) {
-    if (!mesh.hasOpposite(h) || mesh.opposite[h] < h || !finder.isSharp(h)) continue;
-    sharp[h] = sharp[mesh.opposite[h]] = true;
-    edges_.push_back({h, finder.isConvex(h)});
-    ends.push_back(mesh.vertexOf(h));
-    ends.push_back(mesh.vertexOf(TriangleMesh::nextCorner(h)));
-  }
+  Edges found = edgesThatStandAlone(mesh, finder);
+  goOn(mesh, finder, found);
+  dropCrumbs(mesh, finder, found);
+  edges_ = std::move(found.edges);
+  const std::vector<bool>& sharp = found.sharp;
   if (edges_.empty()) return;
+  std::vector<std::uint32_t> ends;
+  for (const SharpEdge& edge : edges_) {
+    ends.push_back(mesh.vertexOf(edge.halfEdge));
+    ends.push_back(mesh.vertexOf(TriangleMesh::nextCorner(edge.halfEdge)));
+  }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
 

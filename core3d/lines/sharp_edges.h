@@ -34,6 +34,10 @@ struct SplitTriangle {
 /// eight sides counts as round, one of six does not. An edge is not sharp if the surface turns back
 /// to within 30 degrees at another edge of one of its triangles: a sliver may point anywhere.
 ///
+/// Where two sharp edges in a row end, the edge that goes on in their direction is sharp too if it
+/// turns by more than the surface beside it. Fewer than four edges that hang together, with no
+/// border and no turn of 70 degrees among them, are not sharp: noise.
+///
 /// A vertex is **split** if its sharp edges (and border) part the triangles round it into two
 /// sectors or more; a sector's normal is the mean of its triangles' normals, weighted by their
 /// angles there. Sharp edges without a split end are not kept: nothing is parted there.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <set>
@@ -271,6 +272,56 @@ TEST(SharpEdges, RoundSurfacesHaveNone) {
   }
   for (const bool irregular : {false, true})
     EXPECT_EQ(count({SolidKind::Sphere, 1.0}, {.cells = 4, .irregular = irregular}), 0u);
+}
+
+// A sheet of 12 x 24 cells, long in y, folded along y: from x = 0 to 1 it falls with the first
+// slope of its row, degrees, then with the second.
+TriangleMesh foldedSheet(const std::function<std::pair<double, double>(int row)>& slopesDeg) {
+  constexpr int kHalf = 6, kRows = 24;
+  constexpr double kLong = 200.0;  // so that rows turn little against each other
+  PolygonSoup soup;
+  for (int k = 0; k <= kRows; ++k) {
+    const auto [inner, outer] = slopesDeg(k);
+    for (int i = -kHalf; i <= kHalf; ++i) {
+      const double beyond = std::max(0, std::abs(i) - 1), first = std::min(1, std::abs(i));
+      soup.addVertex(i, kLong * k,
+                     -first * std::tan(inner * kPi / 180) - beyond * std::tan(outer * kPi / 180));
+    }
+  }
+  constexpr std::uint32_t kRow = 2 * kHalf + 1;
+  for (std::uint32_t k = 0; k < kRows; ++k) {
+    for (std::uint32_t i = 0; i + 1 < kRow; ++i) {
+      const std::uint32_t a = k * kRow + i;
+      soup.addTriangle(a, a + 1, a + kRow + 1);
+      soup.addTriangle(a, a + kRow + 1, a + kRow);
+    }
+  }
+  return buildMesh(soup).mesh;
+}
+
+std::size_t sharpEdgesOf(const TriangleMesh& mesh) {
+  return SharpEdges(mesh, estimateFields(mesh)).edges().size();
+}
+
+TEST(SharpEdges, GoOnWhereTheSurfaceIsRounderForAWhile) {
+  EXPECT_EQ(sharpEdgesOf(foldedSheet([](int) { return std::pair(17.0, 17.0); })), 24u);
+  // Round all along it is not sharp; where a sharp edge leads there and on, it is.
+  const std::pair round(17.0, 30.0), sharp(17.0, 17.0);
+  EXPECT_EQ(sharpEdgesOf(foldedSheet([&](int) { return round; })), 0u);
+  EXPECT_EQ(sharpEdgesOf(foldedSheet([&](int k) { return k > 9 && k < 13 ? round : sharp; })), 24u);
+}
+
+TEST(SharpEdges, FewInARowAreNoise) {
+  // A fold that is 30 degrees or more on so many edges in the middle.
+  const auto folded = [](int edges) {
+    return foldedSheet([edges](int k) {
+      const bool inside = std::abs(k - 12) <= edges / 2;
+      const double slope = inside ? 20.0 : 10.0;
+      return std::pair(slope, slope);
+    });
+  };
+  EXPECT_EQ(sharpEdgesOf(folded(2)), 0u);
+  EXPECT_GE(sharpEdgesOf(folded(8)), 8u);
 }
 
 using SharpEdgesData = ExampleMeshes;

@@ -382,6 +382,37 @@ TEST(Bridges, LeaveApartWhatDoesNotBelongTogether) {
   EXPECT_EQ(bridged({dash, piece({24, 0}, {44, 0})}, flatProjection(), 0.0).size(), 2u);
 }
 
+TEST(Bridges, HandOverWhereLinesRunBesideEachOther) {
+  const auto joined = [](const ScreenChain& a, const ScreenChain& b) {
+    return bridged({a, b}, flatProjection(), 6.0);
+  };
+  const ScreenChain line = piece({0, 0}, {40, 0});
+  // Either way round, in each order, and beside, ahead and behind.
+  for (const double overlap : {10.0, 3.0, 0.0, -1.0}) {
+    const Vector2d from(40.0 - overlap, 2.0), to(80.0, 2.0);
+    for (const auto& lines : {joined(line, piece(from, to)), joined(piece(to, from), line)}) {
+      ASSERT_EQ(lines.size(), 1u) << overlap;
+      const LineChain& chain = lines[0].chain;
+      EXPECT_EQ(chain.pieceCount(), chain.triangles.size());
+      EXPECT_EQ(chain.pieceCount(), chain.standsOut.size());
+      EXPECT_EQ(chain.points.size(), chain.strength.size());
+      // Onward all the way, never doubled, and the step to the side is no steeper than 45 degrees.
+      const float way = chain.points.back().x() > chain.points.front().x() ? 1.0f : -1.0f;
+      for (std::size_t i = 0; i + 1 < chain.points.size(); ++i) {
+        const Eigen::Vector3f step = chain.points[i + 1] - chain.points[i];
+        EXPECT_GT(way * step.x(), 0.0f) << overlap;
+        EXPECT_LE(std::abs(step.y()), 1.001f * std::abs(step.x())) << overlap;
+      }
+      EXPECT_NEAR(lines[0].length(), 80.0, 2.0);
+    }
+  }
+  EXPECT_EQ(joined(line, piece({34, 3}, {80, 3})).size(), 2u);   // too far beside
+  EXPECT_EQ(joined(line, piece({26, 2}, {80, 2})).size(), 2u);   // for too long
+  EXPECT_EQ(joined(line, piece({80, 2}, {36, -9})).size(), 2u);  // crosses it
+  EXPECT_EQ(joined(line, piece({36, 2}, {40, 2})).size(), 2u);   // nothing would be left
+  EXPECT_EQ(joined(line, piece({39, 2}, {0, 2})).size(), 2u);    // a hairpin
+}
+
 TEST(Bridges, CloseALoopWithAGap) {
   LineChain chain;
   for (int i = 0; i <= 95; ++i) {
@@ -577,8 +608,11 @@ TEST(Ink, TellsWhatCountsAsWeak) {
     EXPECT_DOUBLE_EQ(weak(family, std::nullopt).first, 1.0);
   }
   const auto [share, factor] = weak(LineFamily::Ridges, 0.005);
-  EXPECT_GT(factor, 0.3);
+  EXPECT_GT(factor, 1.0);
   EXPECT_DOUBLE_EQ(share, factor);
+  const auto [less, lowered] = weak(LineFamily::Ridges, 0.02);
+  EXPECT_LT(lowered, 1.0);
+  EXPECT_DOUBLE_EQ(less, std::sqrt(lowered));
   EXPECT_DOUBLE_EQ(weak(LineFamily::Ridges, 0.5).first, 0.3);  // all lines: the factor is 0
   EXPECT_DOUBLE_EQ(weak(LineFamily::Creases, 0.005).first, 1.0);
 }
