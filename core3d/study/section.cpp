@@ -28,20 +28,25 @@ Eigen::Vector3d ridgeDirection(const TriangleMesh& mesh, const SurfaceFields& fi
 
 Section sectionOf(const TriangleMesh& mesh, const CutPlane& plane, double tolerance) {
   Section section{plane, sliceMesh(mesh, plane), {}, {}};
-  section.scene.view = {.angleDeg = 90.0, .distance = {}};
-  const ViewFrame frame = frameOf(section.scene.view);
   for (std::size_t i = 0; i < section.slice.lines.size(); ++i) {
     const SliceLine& line = section.slice.lines[i];
     const auto fit = fitBezierChain(inPlane(line, plane), line.closed, {.tolerance = tolerance});
     if (!fit) continue;  // points that are apart in space are apart in their plane
-    SceneCurve curve{fit->chain};
-    curve.flipNormal = normalSide(curve, frame) < 0;  // the left is outside
-    section.scene.curves.push_back(std::move(curve));
+    section.scene.curves.push_back({fit->chain});
     section.lineOf.push_back(i);
     section.maxDeviation = std::max(section.maxDeviation, fit->maxDeviation);
     section.corners += fit->corners;
   }
+  setView(section, {.angleDeg = 90.0, .distance = {}});
   return section;
+}
+
+void setView(Section& section, const View& view) {
+  section.scene.view = view;
+  const ViewFrame frame = frameOf(view);
+  for (SceneCurve& curve : section.scene.curves) {
+    curve.flipNormal = normalSide({curve.shape}, frame) < 0;  // the left is outside
+  }
 }
 
 std::optional<CutPlane> planeAlongRidge(const TriangleMesh& mesh, const SurfaceFields& fields,

@@ -16,8 +16,8 @@
 namespace flatland {
 
 /// A section of a mesh as a scene of flatland. Curve i of the scene is line `lineOf[i]` of the
-/// slice; it is seen from 90 degrees, up the plane, and its normal points to the outside of the
-/// surface.
+/// slice; it is seen from 90 degrees, up the plane, unless setView says otherwise, and its normal
+/// points to the outside of the surface.
 struct Section {
   CutPlane plane;
   Slice slice;
@@ -29,6 +29,9 @@ struct Section {
 
 /// Cuts and fits (curve/fit.h). Precondition: tolerance > 0, in the unit of the file.
 Section sectionOf(const TriangleMesh& mesh, const CutPlane& plane, double tolerance);
+
+/// Looks at the section from elsewhere. Its normals still point to the outside.
+void setView(Section& section, const View& view);
 
 /// The plane through the vertex nearest to p (unit of the file) along w and t_A there: the section
 /// in which flatland's lambda is the surface's. nullopt where there is no t_A: n.w or K is 0.

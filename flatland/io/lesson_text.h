@@ -45,8 +45,8 @@ struct Lesson {
 
 /// The panels that a step may ask for: the docks of the window.
 inline constexpr std::string_view kLessonPanels[] = {
-    "view",  "legend", "probe", "points", "curve",   "plots",   "sweep",
-    "study", "limits", "marks", "lesson", "surface", "families"};
+    "view",   "legend", "probe",  "points",  "curve",    "plots",  "sweep",  "study",
+    "limits", "marks",  "lesson", "surface", "families", "bridge", "section"};
 
 inline constexpr std::size_t kLargestLessonBytes = 1024U * 1024U;
 inline constexpr std::size_t kMostLessonSteps = 500;

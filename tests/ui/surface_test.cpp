@@ -2,7 +2,6 @@
 // The surface in the real window, by mouse and keys. FLATLAND_DATA names the example meshes.
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
@@ -12,6 +11,7 @@
 #include <QSlider>
 
 #include "flatland/io/scene_json.h"
+#include "tests/ui/support_meshes.h"
 #include "tests/ui/support_window.h"
 #include "ui/app/layouts.h"
 #include "ui/app/surface_controller.h"
@@ -25,13 +25,6 @@ using namespace flatland::ui;
 namespace {
 
 constexpr int kPatienceMs = 60000;
-
-/// A mesh of the example data; empty where there is none.
-QString dataMesh(const char* name) {
-  const QString folder = qEnvironmentVariable("FLATLAND_DATA", FLATLAND_DATA_FOLDER);
-  const QString file = QDir::cleanPath(folder + "/meshes/" + name);
-  return QFile::exists(file) ? file : QString();
-}
 
 /// Somewhere on the picture there is more than the background.
 bool hasPicture(const QImage& image) {

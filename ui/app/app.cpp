@@ -66,7 +66,7 @@ void waitForWork(MainWindow& window) {
   const int patienceMs = window.document().scene().surface ? kSurfaceTimeoutMs : kPaintTimeoutMs;
   while (quiet.elapsed() < kQuietMs && timer.elapsed() < patienceMs) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    const bool onSurface = surface.source.isBusy() || surface.views.isStale();
+    const bool onSurface = surface.source.isStale() || surface.views.isStale();
     if (onSurface || QThreadPool::globalInstance()->activeThreadCount() > 0) quiet.restart();
   }
 }

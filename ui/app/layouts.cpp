@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kVersion = 4;  ///< of saveState(): raise when docks change names
 
-const QStringList kSurfacePanels{"families", "surface"};
+const QStringList kSurfacePanels{"families", "surface", "bridge", "section"};
 
 QString nameOf(Layouts::Kind kind) {
   switch (kind) {

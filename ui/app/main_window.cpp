@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "flatland/io/input_error.h"
+#include "ui/app/bridge_controller.h"
 #include "ui/app/export_dialog.h"
 #include "ui/app/key_sheet.h"
 #include "ui/app/language.h"
@@ -25,9 +26,11 @@
 #include "ui/app/panels.h"
 #include "ui/app/status_line.h"
 #include "ui/app/surface_controller.h"
+#include "ui/flat/crossing_overlay.h"
 #include "ui/import/mesh_name.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/paths.h"
+#include "ui/view3d/section_panel.h"
 #include "ui/view3d/surface_area.h"
 
 namespace flatland::ui {
@@ -56,6 +59,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
       surfaceSource_(document_),
       surfaceViews_(document_, surfaceSource_),
       surfacePick_(surfaceSource_),
+      bridges_(document_, surfaceSource_, surfaceViews_.seen(0)),
       docks_(std::make_unique<Docks>(*this)) {
   setObjectName("window");
   setAcceptDrops(true);
@@ -77,6 +81,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
   edits_ = new EditController(models(), this);
   imports_ = new ImportController(*this, models(), *messages_);
   surfaces_ = new SurfaceController(*this, surface, *files_, *messages_, settings_);
+  bridgeController_ = new BridgeController(models(), *docks_, *findChild<SectionPanel*>(), this);
   resize(kDefaultSize);
   pictureBar_ = addToolBar(tr("Picture"));
   pictureBar_->setObjectName("picture-bar");
@@ -118,6 +123,7 @@ void MainWindow::buildCentre() {
   centre_->setChildrenCollapsible(false);
   surfaceArea_ = new SurfaceArea(surfaceModels(), centre_);
   canvas_ = new FlatCanvas(models(), centre_);
+  new CrossingOverlay(bridges_, viewport_, display_, *canvas_);
   centre_->setStretchFactor(0, kSurfaceShare);
   centre_->setStretchFactor(1, 1);
   surfaceArea_->hide();
@@ -137,6 +143,7 @@ void MainWindow::buildMenuBar() {
               .lessons = *lessons_,
               .imports = *imports_,
               .surfaces = *surfaces_,
+              .bridges = *bridgeController_,
               .surfaceArea = *surfaceArea_,
               .docks = docks_->all(),
               .exportFigure = [this] { exportFigure(); },
@@ -208,6 +215,8 @@ void MainWindow::connectSurface() {
     shareCentre();
   };
   connect(&surfaceSource_, &SurfaceSource::opened, this, showSurface);
+  connect(bridgeController_, &BridgeController::surfaceWanted, this, showSurface);
+  connect(bridgeController_, &BridgeController::said, status_, &StatusLine::say);
   connect(&document_, &Document::changed, this, [this, showSurface](const Change& change) {
     if (change.what == Change::What::Scene && document_.scene().surface) showSurface();
   });

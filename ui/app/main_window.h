@@ -10,6 +10,7 @@
 #include "ui/app/import_controller.h"
 #include "ui/flat/canvas.h"
 #include "ui/lesson/lesson_files.h"
+#include "ui/model/bridges.h"
 #include "ui/model/plots.h"
 #include "ui/view3d/surface_models.h"
 
@@ -19,6 +20,7 @@ class QToolBar;
 
 namespace flatland::ui {
 
+class BridgeController;
 class KeySheet;
 class Layouts;
 class Look;
@@ -51,9 +53,10 @@ class MainWindow : public QMainWindow {
   LessonFiles& lessons() { return *lessons_; }
   ImportController& imports() { return *imports_; }
   SurfaceModels surfaceModels() {
-    return {document_, surfaceSource_, surfaceViews_.seen(0),
-            display_,  surfacePick_,   surfaceViews_};
+    return {document_,     surfaceSource_, surfaceViews_.seen(0), display_, surfacePick_,
+            surfaceViews_, bridges_};
   }
+  Bridges& bridges() { return bridges_; }
   SurfaceController& surfaces() { return *surfaces_; }
   SurfaceArea& surfaceArea() { return *surfaceArea_; }
 
@@ -91,6 +94,7 @@ class MainWindow : public QMainWindow {
   SurfaceSource surfaceSource_;
   SurfaceViews surfaceViews_;
   SurfacePick surfacePick_;
+  Bridges bridges_;
   std::unique_ptr<Docks> docks_;
   Look* look_ = nullptr;
   Layouts* layouts_ = nullptr;
@@ -99,6 +103,7 @@ class MainWindow : public QMainWindow {
   QSplitter* centre_ = nullptr;
   SurfaceArea* surfaceArea_ = nullptr;
   SurfaceController* surfaces_ = nullptr;
+  BridgeController* bridgeController_ = nullptr;
   FlatCanvas* canvas_ = nullptr;
   StatusLine* status_ = nullptr;
   FileController* files_ = nullptr;

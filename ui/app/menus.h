@@ -22,6 +22,7 @@ namespace flatland::ui {
 class Layouts;
 class Plots;
 class SurfaceArea;
+class BridgeController;
 class SurfaceController;
 
 /// What the menus act on; all of it outlives them.
@@ -36,6 +37,7 @@ struct MenuParts {
   LessonFiles& lessons;
   ImportController& imports;
   SurfaceController& surfaces;
+  BridgeController& bridges;
   SurfaceArea& surfaceArea;
   QList<QDockWidget*> docks;
   std::function<void()> exportFigure;
@@ -59,7 +61,8 @@ void buildViewMenu(QMenu& menu, const MenuParts& parts);
 void addLayoutMenus(QMenu& viewMenu, const MenuParts& parts);  ///< layout, theme, size, language
 void buildProbeMenu(QMenu& menu, const MenuParts& parts);      // within the View menu
 void buildSurfaceMenu(QMenu& menu, const MenuParts& parts);
-void buildCompareMenu(QMenu& menu, const MenuParts& parts);  // within the Surface menu
+void buildCompareMenu(QMenu& menu, const MenuParts& parts);         // within the Surface menu
+void addBridgeActions(QMenu& surfaceMenu, const MenuParts& parts);  // between curves and surfaces
 void buildLessonMenu(QMenu& menu, const MenuParts& parts);
 void buildHelpMenu(QMenu& menu, const MenuParts& parts);
 

@@ -16,7 +16,9 @@
 #include "ui/plot/plots_panel.h"
 #include "ui/plot/study_panel.h"
 #include "ui/plot/sweep_panel.h"
+#include "ui/view3d/bridge_panel.h"
 #include "ui/view3d/families_panel.h"
+#include "ui/view3d/section_panel.h"
 #include "ui/view3d/surface_panel.h"
 
 namespace flatland::ui {
@@ -46,6 +48,12 @@ void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts
   docks.add("curve", PanelsWords::tr("Curve"), curve, Group::Side);
   docks.add("families", PanelsWords::tr("Lines"), new FamiliesPanel(parts.surface), Group::Side);
   docks.add("surface", PanelsWords::tr("Surface"), new SurfacePanel(parts.surface), Group::Side);
+  auto* bridge = new BridgePanel(models, parts.surface.bridges);
+  QObject::connect(bridge, &BridgePanel::said, &status, &StatusLine::say);
+  docks.add("bridge", PanelsWords::tr("Bridge"), bridge, Group::Side);
+  auto* section = new SectionPanel(parts.surface);
+  QObject::connect(section, &SectionPanel::said, &status, &StatusLine::say);
+  docks.add("section", PanelsWords::tr("Section"), section, Group::Side);
   auto* plots = new PlotsPanel(parts.plots, models.display, parts.settings);
   QObject::connect(plots, &PlotsPanel::said, &status, &StatusLine::say);
   QObject::connect(plots, &PlotsPanel::failed, &parts.messages, &MessageBar::showError);

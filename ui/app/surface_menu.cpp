@@ -132,6 +132,8 @@ void buildSurfaceMenu(QMenu& menu, const MenuParts& parts) {
                               SurfaceMenuWords::tr("Take the surface out of the scene")},
                              [&surfaces] { surfaces.close(); });
   menu.addSeparator();
+  addBridgeActions(menu, parts);
+  menu.addSeparator();
   QMenu& views = addSubmenu(menu, "menu.surface.views", SurfaceMenuWords::tr("&Look from"));
   addViews(views, document);
   QMenu& up = addSubmenu(menu, "menu.surface.up", SurfaceMenuWords::tr("&Up Axis"));

@@ -15,7 +15,7 @@ namespace flatland::ui {
 namespace {
 
 constexpr double kLeftPx = 64.0, kRightPx = 16.0, kTopPx = 16.0, kBottomPx = 48.0;
-constexpr double kLegendLinePx = 18.0;
+constexpr double kLegendLinePx = 18.0, kTitleLinePx = 15.0;
 constexpr double kLegendKeyPx = 30.0;
 
 struct Range {
@@ -43,8 +43,15 @@ class Builder : FigureBuilder {
   Figure build(const std::vector<ConvergenceSeries>& all, const std::string& subject) {
     findRanges(all);
     // The legend stands below the diagram, so that it covers no data.
-    bottom_ = options_.height - kBottomPx - kLegendLinePx * static_cast<double>(all.size());
-    addAxes(subject);
+    const std::string title =
+        inWords(options_.words,
+                "%1: median distance to the exact apparent ridge against the mean edge length",
+                {inWords(options_.words, subject)});
+    const std::vector<std::string> lines =
+        wrapped(title, options_.textPx, options_.width - kLeftPx - kRightPx);
+    bottom_ = options_.height - kBottomPx - kLegendLinePx * static_cast<double>(all.size()) -
+              kTitleLinePx * static_cast<double>(lines.size() - 1);
+    addAxes(lines);
     addEdgeLine();
     for (std::size_t i = 0; i < all.size(); ++i) addSeries(all[i], i);
     return std::move(figure_);
@@ -84,7 +91,7 @@ class Builder : FigureBuilder {
     return bottom_ - (decade - up_.low) / (up_.high - up_.low) * (bottom_ - kTopPx);
   }
 
-  void addAxes(const std::string& subject) {
+  void addAxes(const std::vector<std::string>& title) {
     FigureGroup& axis = group("axis", "axis");
     for (double decade = up_.low; decade <= up_.high + 0.5; decade += 1.0) {
       const double y = yOf(decade);
@@ -103,9 +110,13 @@ class Builder : FigureBuilder {
     }
     addLine(axis, {kLeftPx, kTopPx}, {kLeftPx, bottom_}, frameStroke());
     addLine(axis, {kLeftPx, bottom_}, {options_.width - kRightPx, bottom_}, frameStroke());
-    addText(group("title", "title"), {0.5 * (kLeftPx + options_.width - kRightPx), bottom_ + 30.0},
-            subject + ": median distance to the exact apparent ridge against the mean edge length",
-            TextShape::Anchor::Middle);
+    FigureGroup& words = group("title", "title");
+    double y = bottom_ + 30.0;
+    for (const std::string& line : title) {
+      addText(words, {0.5 * (kLeftPx + options_.width - kRightPx), y}, line,
+              TextShape::Anchor::Middle);
+      y += kTitleLinePx;
+    }
   }
 
   /// Where the distance is as long as an edge.
@@ -115,7 +126,8 @@ class Builder : FigureBuilder {
     FigureGroup& line = group("one-edge", "one-edge");
     addLine(line, {xOf(low), yOf(low)}, {xOf(high), yOf(high)},
             {.colour = colours_.faint, .width = 1.0, .dash = {2.0, 3.0}});
-    addText(line, {xOf(high) - 4.0, yOf(high) + 12.0}, "1 edge", TextShape::Anchor::End);
+    addText(line, {xOf(high) - 4.0, yOf(high) + 12.0}, inWords(options_.words, "1 edge"),
+            TextShape::Anchor::End);
   }
 
   SeriesStyle styleOfSeries(const ConvergenceSeries& series) const {
@@ -162,11 +174,14 @@ class Builder : FigureBuilder {
     addLine(lines, {kLeftPx, y}, {kLeftPx + kLegendKeyPx, y}, stroke);
     addSymbol(lines, {kLeftPx + 0.5 * kLegendKeyPx, y}, style);
     std::array<char, 64> order{};
-    if (series.order) std::snprintf(order.data(), order.size(), ", order %.2f", *series.order);
-    addText(lines, {kLeftPx + kLegendKeyPx + 8.0, y},
-            std::string(nameOf(series.estimator)) + " curvature, " +
-                std::string(nameOf(series.derivative)) + " derivative" + order.data(),
-            TextShape::Anchor::Start);
+    if (series.order) std::snprintf(order.data(), order.size(), "%.2f", *series.order);
+    const auto word = [this](std::string_view english) {
+      return inWords(options_.words, std::string(english));
+    };
+    std::string text = inWords(options_.words, "%1 curvature, %2 derivative",
+                               {word(nameOf(series.estimator)), word(nameOf(series.derivative))});
+    if (series.order) text += inWords(options_.words, ", order %1", {order.data()});
+    addText(lines, {kLeftPx + kLegendKeyPx + 8.0, y}, text, TextShape::Anchor::Start);
   }
 
   const ConvergenceFigureOptions& options_;

@@ -6,6 +6,7 @@
 
 #include "core3d/study/convergence.h"
 #include "ui/export/figure.h"
+#include "ui/export/figure_words.h"
 #include "ui/export/mark_style.h"
 
 namespace flatland::ui {
@@ -14,6 +15,7 @@ struct ConvergenceFigureOptions {
   double width = 720.0, height = 480.0;  ///< px
   double textPx = 12.0;
   Palette palette = Palette::Light;
+  FigureWords words = {};
 };
 
 /// Median distance of the ridges found to the known ones, as a length, against the mesh's edge

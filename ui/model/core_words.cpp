@@ -314,6 +314,43 @@ namespace {
     QT_TRANSLATE_NOOP("Core",
                       "One ridge and one apparent ridge, both at the joint, with the larger of its "
                       "two curvatures: lambda = 16."),
+    // core3d/study/bridge_lines.cpp
+    QT_TRANSLATE_NOOP("Core", "the line has to be there"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the surface faces away: ridges are looked for on the side that is seen"),
+    QT_TRANSLATE_NOOP(
+        "Core", "the parallel turns the normal as much as the meridian: no circle is a maximum"),
+    QT_TRANSLATE_NOOP("Core", "the axis is within 4 edges: parallels shrink to a point"),
+    QT_TRANSLATE_NOOP(
+        "Core", "a corner, cusp or jump of curvature is within 4 edges: the surface is not smooth"),
+    QT_TRANSLATE_NOOP("Core", "a border is within 4 edges: curvature is estimated from one side"),
+    QT_TRANSLATE_NOOP("Core",
+                      "n.w is below 0.05, or 0 within 4 edges: lambda grows without bound towards "
+                      "the silhouette"),
+    QT_TRANSLATE_NOOP(
+        "Core", "the radius of curvature is below 4 edges: the mesh is too coarse for the bend"),
+    QT_TRANSLATE_NOOP(
+        "Core", "lambda falls by less than twice what a line must have: a plain with noise on it"),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "a perspective view turns from place to place; the bridge needs an orthographic one"),
+    QT_TRANSLATE_NOOP("Core", "an extrusion seen along its rulings is a silhouette throughout"),
+    QT_TRANSLATE_NOOP(
+        "Core", "a surface of revolution has to be seen along its axis, from 0,1,0 or 0,-1,0"),
+    // ui/export/convergence_figure.cpp
+    QT_TRANSLATE_NOOP(
+        "Core", "%1: median distance to the exact apparent ridge against the mean edge length"),
+    QT_TRANSLATE_NOOP("Core", "Bridge"),
+    QT_TRANSLATE_NOOP("Core", "1 edge"),
+    QT_TRANSLATE_NOOP("Core", "%1 curvature, %2 derivative"),
+    QT_TRANSLATE_NOOP("Core", ", order %1"),
+    QT_TRANSLATE_NOOP("Core", "jet"),
+    QT_TRANSLATE_NOOP("Core", "one-ring"),
+    QT_TRANSLATE_NOOP("Core", "closed-form"),
+    // ui/model/cutting_plane.cpp, loaded_surface.cpp
+    QT_TRANSLATE_NOOP("Core",
+                      "the plane is seen head-on: no direction within it leads to the viewer"),
+    QT_TRANSLATE_NOOP("Core", "swept curve"),
 };
 
 }  // namespace

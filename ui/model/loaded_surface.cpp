@@ -33,11 +33,7 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-}  // namespace
-
-LoadedSurface loadSurface(const std::string& reference) {
-  const auto start = Clock::now();
-  BuiltMesh built = loadNamedMesh(reference);
+LoadedSurface readyToShow(const std::string& reference, BuiltMesh built, Clock::time_point start) {
   LoadedSurface surface;
   surface.reference = reference;
   surface.normals = vertexNormals(built.mesh);
@@ -46,6 +42,21 @@ LoadedSurface loadSurface(const std::string& reference) {
   surface.mesh = std::make_shared<const TriangleMesh>(std::move(built.mesh));
   surface.loadMs = millisecondsSince(start);
   return surface;
+}
+
+}  // namespace
+
+LoadedSurface loadSurface(const std::string& reference) {
+  const auto start = Clock::now();
+  return readyToShow(reference, loadNamedMesh(reference), start);
+}
+
+LoadedSurface loadSwept(const SweptSurface& surface, int cells) {
+  const auto start = Clock::now();
+  SweptMesh mesh = sweptMesh(surface, cells);
+  LoadedSurface loaded = readyToShow(kSweptMesh, buildMesh(mesh.soup, "surface"), start);
+  loaded.swept = std::make_shared<const SweptOrigin>(SweptOrigin{surface, std::move(mesh), cells});
+  return loaded;
 }
 
 std::shared_ptr<const LoadedSurface> withFields(const LoadedSurface& surface, double fitScale,
@@ -70,6 +81,7 @@ std::shared_ptr<const LoadedSurface> withFields(const LoadedSurface& surface, do
 }
 
 std::string surfaceName(const std::string& reference) {
+  if (reference == kSweptMesh) return "swept curve";
   if (namesSolid(reference)) return reference.substr(std::string(kSolidPrefix).size());
   return std::filesystem::path(reference).filename().string();
 }

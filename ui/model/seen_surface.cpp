@@ -41,6 +41,7 @@ PaneSetting findingPart(PaneSetting pane) {
   SurfaceSetting& surface = pane.surface;
   surface.savedCameras.clear();
   surface.plane.reset();
+  surface.swept.reset();  // another surface is told by its source
   surface.camera.zoom = 1.0;
   surface.camera.up = SurfaceCamera{}.up;
   // The viewer goes along with the centre; parallel lines of sight do not.
@@ -64,14 +65,15 @@ struct SeenSource::Worker {
     seen->surface = surface;
     seen->view = view;
     const auto start = Clock::now();
-    const FeatureLines lines = finder->find(view, lineOptionsOf(pane));
+    auto found = std::make_shared<const FeatureLines>(finder->find(view, lineOptionsOf(pane)));
     seen->lineMs = millisecondsSince(start);
     if (wanted.first) {
-      seen->difference = compared(lines, finder->find(view, lineOptionsOf(*wanted.first)));
+      seen->difference = compared(*found, finder->find(view, lineOptionsOf(*wanted.first)));
     }
     for (const LineFamily family : allLineFamilies()) {
-      seen->lines[static_cast<std::size_t>(family)] = verticesOf(lines.of(family));
+      seen->lines[static_cast<std::size_t>(family)] = verticesOf(found->of(family));
     }
+    seen->found = std::move(found);
     if (styleOf(pane.surface) == SurfaceStyle::Colours) {
       const auto colouring = Clock::now();
       seen->colours =
@@ -124,12 +126,16 @@ void SeenSource::follow(const Change& change) {
 void SeenSource::surfaceChanged() {
   const std::shared_ptr<const LoadedSurface>& surface = source_.surface();
   if (worker_ && worker_->surface == surface) return;
-  job_.cancel();
-  again_ = false;
-  asked_.reset();
   worker_.reset();
-  // While the same surface is estimated at another scale, its lines stay.
-  if (seen_ && (!surface || surface->mesh != seen_->surface->mesh)) drop();
+  asked_.reset();
+  // While the same surface is estimated at another scale, or swept anew, its lines stay; and those
+  // that are being looked for are waited for, else a surface in motion would never have any.
+  const bool stays = surface && seen_ && isSameSurface(*surface, *seen_->surface);
+  if (!stays) {
+    job_.cancel();
+    again_ = false;
+    drop();
+  }
   if (!surface || !surface->fields) return;
   worker_ = std::make_shared<Worker>(surface);
   search();

@@ -37,6 +37,7 @@ struct SeenDifference {
 struct SeenSurface {
   std::shared_ptr<const LoadedSurface> surface;
   SurfaceView view;
+  std::shared_ptr<const FeatureLines> found;  ///< what `lines` are made from
   std::array<std::vector<LineVertex>, kLineFamilyCount> lines;
   std::optional<SeenDifference> difference;  ///< if the view shows that
   std::optional<VertexColours> colours;      ///< of the quantity asked for
@@ -47,7 +48,7 @@ struct SeenSurface {
 /// The lines of one view of the document's surface as its camera sees it, found beside the window's
 /// thread. A change starts the search; while one is under way only the newest wish is kept, so
 /// lines follow a moving camera as fast as they can be found and never pile up. The last ones stay
-/// until the next are there.
+/// until the next are there, also those of a swept surface whose curve is being dragged.
 class SeenSource : public QObject {
   Q_OBJECT
 

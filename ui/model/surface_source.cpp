@@ -7,6 +7,7 @@
 #include "ui/commands/scene_commands.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
+#include "ui/model/swept_surface.h"
 
 namespace flatland::ui {
 
@@ -20,7 +21,18 @@ SurfaceSource::SurfaceSource(Document& document, QObject* parent)
     if (wasReading && surface_ && !surface_->fields) estimate();
   });
   connect(&job_, &Job::progressed, this, &SurfaceSource::progressed);
-  connect(&job_, &Job::runningChanged, this, &SurfaceSource::busyChanged);
+  connect(&job_, &Job::runningChanged, this, &SurfaceSource::tellBusy);
+  connect(&sweep_, &SweepWork::longChanged, this, &SurfaceSource::tellBusy);
+  connect(&sweep_, &SweepWork::progressed, this, &SurfaceSource::progressed);
+  connect(&sweep_, &SweepWork::failed, this, &SurfaceSource::failed);
+  connect(&sweep_, &SweepWork::made, this,
+          [this](const std::shared_ptr<const LoadedSurface>& surface) { show(surface, false); });
+}
+
+void SurfaceSource::tellBusy() {
+  if (isBusy() == toldBusy_) return;
+  toldBusy_ = isBusy();
+  emit busyChanged(toldBusy_);
 }
 
 void SurfaceSource::setActive(bool active) {
@@ -33,14 +45,22 @@ void SurfaceSource::open(const QString& reference) { start(reference.toStdString
 void SurfaceSource::cancel() {
   reading_ = false;
   job_.cancel();
+  sweep_.cancel();
 }
 
 void SurfaceSource::follow(const Change& change) {
-  if (change.touchesSurface()) update();
+  // What is swept goes by the curve, and its outside by the view.
+  const bool turns = change.touchesScene() || change.what == Change::What::Camera;
+  if (change.touchesSurface() || (turns && isSwept(document_.scene()))) update();
 }
 
 void SurfaceSource::update() {
   const std::optional<SurfaceSetting>& setting = document_.scene().surface;
+  if (isSwept(document_.scene())) {
+    if (active_) updateSwept();
+    return;
+  }
+  sweep_.setWish(std::nullopt);
   if (!setting) {
     if (!surface_ && !reading_) return;
     cancel();
@@ -53,6 +73,25 @@ void SurfaceSource::update() {
     } else if (surface_ && surface_->fields && surface_->fitScale != setting->fitScale) {
       estimate();
     }
+  }
+}
+
+void SurfaceSource::updateSwept() {
+  if (wanted_ != kSweptMesh) {
+    cancel();
+    wanted_ = kSweptMesh;
+  }
+  const std::optional<SweptSurface> surface = sweptOf(document_.scene());
+  // Another surface than the scene's is not shown, not even for a while.
+  if (surface_ && (!surface || !surface_->swept)) {
+    surface_ = nullptr;
+    emit changed();
+  }
+  const SurfaceSetting& setting = *document_.scene().surface;
+  if (surface) {
+    sweep_.setWish(SweepWish{*surface, setting.swept->cells, setting.fitScale});
+  } else {
+    sweep_.setWish(std::nullopt);
   }
 }
 
@@ -104,9 +143,12 @@ void SurfaceSource::show(const std::shared_ptr<const LoadedSurface>& surface, bo
   wanted_ = surface->reference;
   if (isNew) {
     SurfaceSetting setting = document_.scene().surface.value_or(SurfaceSetting{});
+    if (isSwept(document_.scene())) setting = withUsualRidges(std::move(setting));
     setting.mesh = surface->reference;
     setting.camera = homeCamera(upAxisOf(setting));
     setting.savedCameras.clear();
+    setting.swept.reset();
+    setting.plane.reset();
     document_.push(std::make_unique<SetSurface>(
         document_, std::move(setting),
         tr("open %1").arg(QString::fromStdString(surfaceName(surface->reference)))));

@@ -7,12 +7,13 @@
 #include "ui/jobs/job.h"
 #include "ui/model/document.h"
 #include "ui/model/loaded_surface.h"
+#include "ui/model/sweep_work.h"
 
 namespace flatland::ui {
 
 /// The surface of the document: its mesh is read and its fields are estimated beside the window's
 /// thread, the mesh first, so that it can be looked at meanwhile. Nothing is read before somebody
-/// looks (setActive).
+/// looks (setActive). A surface that is swept from a curve follows the curve (SweepWork).
 class SurfaceSource : public QObject {
   Q_OBJECT
 
@@ -30,7 +31,9 @@ class SurfaceSource : public QObject {
 
   /// Gives up reading, or estimating: what there was before stays.
   void cancel();
-  bool isBusy() const { return job_.isRunning(); }
+  bool isBusy() const { return job_.isRunning() || sweep_.isLong(); }
+  /// True while surface() is not yet what the document says.
+  bool isStale() const { return job_.isRunning() || sweep_.isStale(); }
   /// True while the mesh is still being read, and not only its fields.
   bool isReading() const { return reading_; }
 
@@ -46,16 +49,20 @@ class SurfaceSource : public QObject {
  private:
   void follow(const Change& change);
   void update();
+  void updateSwept();
+  void tellBusy();
   void start(const std::string& reference, bool isNew);
   void estimate();
   void show(const std::shared_ptr<const LoadedSurface>& surface, bool isNew);
 
   Document& document_;
   Job job_;
+  SweepWork sweep_;
   std::shared_ptr<const LoadedSurface> surface_;
   std::string wanted_;  ///< reference of the last start; of one that failed too
   bool active_ = false;
   bool reading_ = false;
+  bool toldBusy_ = false;
 };
 
 }  // namespace flatland::ui

@@ -9,6 +9,153 @@
     </message>
 </context>
 <context>
+    <name>Bridge</name>
+    <message>
+        <source>nothing measured</source>
+        <translation>nichts gemessen</translation>
+    </message>
+    <message>
+        <source>%1: none predicted</source>
+        <translation>%1: keine vorhergesagt</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 predicted lines can be expected</source>
+        <translation>%1: %2 von %3 vorhergesagten Linien sind zu erwarten</translation>
+    </message>
+    <message>
+        <source>; %1, %2</source>
+        <translation>; %1, %2</translation>
+    </message>
+    <message>
+        <source>found %1 edges away (median)</source>
+        <translation>im Median %1 Kanten entfernt gefunden</translation>
+    </message>
+    <message>
+        <source>%1 % covered</source>
+        <translation>%1 % gefunden</translation>
+    </message>
+    <message>
+        <source>Apparent ridges</source>
+        <translation>Scheinbare Grate</translation>
+    </message>
+    <message>
+        <source>Contours</source>
+        <translation>Konturen</translation>
+    </message>
+    <message>
+        <source>%1 cells, edges %2 long</source>
+        <translation>%1 Zellen, Kanten %2 lang</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n left out: %1</source>
+        <translation>
+            <numerusform>%n ausgelassen: %1</numerusform>
+            <numerusform>%n ausgelassen: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Predicted apparent ridge</source>
+        <translation>Vorhergesagter scheinbarer Grat</translation>
+    </message>
+    <message>
+        <source>Predicted contour</source>
+        <translation>Vorhergesagte Kontur</translation>
+    </message>
+    <message>
+        <source>%1, t = %2</source>
+        <translation>%1, t = %2</translation>
+    </message>
+    <message>
+        <source>There is no t_A here.</source>
+        <translation>Hier gibt es kein t_A.</translation>
+    </message>
+    <message>
+        <source>t_A leaves the plane by %1 degrees only: flatland&apos;s equation is nearly the surface&apos;s.</source>
+        <translation>t_A weicht nur um %1 Grad von der Ebene ab: Flatlands Gleichung ist fast die der Fläche.</translation>
+    </message>
+    <message>
+        <source>t_A leaves the plane by %1 degrees: λ is largest along the section, but not along t_A.</source>
+        <translation>t_A weicht um %1 Grad von der Ebene ab: λ ist entlang des Schnitts am größten, nicht aber entlang t_A.</translation>
+    </message>
+    <message>
+        <source>t_A leaves the plane by %1 degrees: λ is largest along t_A, but not along the section.</source>
+        <translation>t_A weicht um %1 Grad von der Ebene ab: λ ist entlang t_A am größten, nicht aber entlang des Schnitts.</translation>
+    </message>
+    <message>
+        <source>t_A leaves the plane by %1 degrees: flatland follows λ along the section, the surface along t_A.</source>
+        <translation>t_A weicht um %1 Grad von der Ebene ab: Flatland folgt λ entlang des Schnitts, die Fläche entlang t_A.</translation>
+    </message>
+    <message>
+        <source>The plane does not cut the surface.</source>
+        <translation>Die Ebene schneidet die Fläche nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curve(s), at most %1 from the section</source>
+        <translation>
+            <numerusform>%n Kurve, höchstens %1 vom Schnitt entfernt</numerusform>
+            <numerusform>%n Kurven, höchstens %1 vom Schnitt entfernt</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>BridgeMarks</name>
+    <message>
+        <source>predicted apparent ridge</source>
+        <translation>vorhergesagter scheinbarer Grat</translation>
+    </message>
+    <message>
+        <source>predicted contour</source>
+        <translation>vorhergesagte Kontur</translation>
+    </message>
+</context>
+<context>
+    <name>BridgeMenu</name>
+    <message>
+        <source>E&amp;xtrude Curve</source>
+        <translation>Kurve e&amp;xtrudieren</translation>
+    </message>
+    <message>
+        <source>Make the selected curve a surface that follows it: moved across its plane</source>
+        <translation>Die gewählte Kurve zu einer Fläche machen, die ihr folgt: quer zu ihrer Ebene verschoben</translation>
+    </message>
+    <message>
+        <source>Re&amp;volve Curve</source>
+        <translation>Kurve r&amp;otieren</translation>
+    </message>
+    <message>
+        <source>Make the selected curve a surface that follows it: turned about an axis beside it</source>
+        <translation>Die gewählte Kurve zu einer Fläche machen, die ihr folgt: um eine Achse neben ihr gedreht</translation>
+    </message>
+    <message>
+        <source>C&amp;utting Plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>Through the &amp;View Direction</source>
+        <translation>Durch die &amp;Blickrichtung</translation>
+    </message>
+    <message>
+        <source>A plane that holds the line of sight, through the picked point or the middle of the picture</source>
+        <translation>Eine Ebene, die den Blickstrahl enthält, durch den gewählten Punkt oder die Bildmitte</translation>
+    </message>
+    <message>
+        <source>Along &amp;t_A at the Picked Point</source>
+        <translation>Entlang &amp;t_A am gewählten Punkt</translation>
+    </message>
+    <message>
+        <source>A plane that holds the line of sight and t_A: there flatland&apos;s equation is the surface&apos;s</source>
+        <translation>Eine Ebene, die den Blickstrahl und t_A enthält: dort ist Flatlands Gleichung die der Fläche</translation>
+    </message>
+    <message>
+        <source>&amp;Open Section as Curve</source>
+        <translation>Schnitt als &amp;Kurve öffnen</translation>
+    </message>
+    <message>
+        <source>Put the section in the place of the scene&apos;s curves</source>
+        <translation>Den Schnitt an die Stelle der Kurven der Szene setzen</translation>
+    </message>
+</context>
+<context>
     <name>CompareMenu</name>
     <message>
         <source>compare views</source>
@@ -1253,6 +1400,94 @@
         <source>expected true or false</source>
         <translation>erwartet wird true oder false</translation>
     </message>
+    <message>
+        <source>the line has to be there</source>
+        <translation>die Linie muss da sein</translation>
+    </message>
+    <message>
+        <source>the surface faces away: ridges are looked for on the side that is seen</source>
+        <translation>die Fläche ist abgewandt: Grate werden auf der gesehenen Seite gesucht</translation>
+    </message>
+    <message>
+        <source>the parallel turns the normal as much as the meridian: no circle is a maximum</source>
+        <translation>der Breitenkreis dreht die Normale so stark wie der Meridian: kein Kreis ist ein Maximum</translation>
+    </message>
+    <message>
+        <source>the axis is within 4 edges: parallels shrink to a point</source>
+        <translation>die Achse ist näher als 4 Kanten: Breitenkreise schrumpfen zu einem Punkt</translation>
+    </message>
+    <message>
+        <source>a corner, cusp or jump of curvature is within 4 edges: the surface is not smooth</source>
+        <translation>eine Ecke, Spitze oder ein Krümmungssprung ist näher als 4 Kanten: die Fläche ist nicht glatt</translation>
+    </message>
+    <message>
+        <source>a border is within 4 edges: curvature is estimated from one side</source>
+        <translation>ein Rand ist näher als 4 Kanten: die Krümmung wird von einer Seite geschätzt</translation>
+    </message>
+    <message>
+        <source>n.w is below 0.05, or 0 within 4 edges: lambda grows without bound towards the silhouette</source>
+        <translation>n.w ist unter 0,05, oder in weniger als 4 Kanten 0: zur Silhouette hin wächst λ über jede Grenze</translation>
+    </message>
+    <message>
+        <source>the radius of curvature is below 4 edges: the mesh is too coarse for the bend</source>
+        <translation>der Krümmungsradius ist unter 4 Kanten: das Netz ist zu grob für die Biegung</translation>
+    </message>
+    <message>
+        <source>lambda falls by less than twice what a line must have: a plain with noise on it</source>
+        <translation>λ fällt um weniger als das Doppelte dessen, was eine Linie haben muss: eine Ebene mit Rauschen</translation>
+    </message>
+    <message>
+        <source>a perspective view turns from place to place; the bridge needs an orthographic one</source>
+        <translation>eine perspektivische Ansicht dreht sich von Ort zu Ort; die Brücke braucht eine orthografische</translation>
+    </message>
+    <message>
+        <source>an extrusion seen along its rulings is a silhouette throughout</source>
+        <translation>eine Extrusion ist entlang ihrer Geraden gesehen überall Silhouette</translation>
+    </message>
+    <message>
+        <source>a surface of revolution has to be seen along its axis, from 0,1,0 or 0,-1,0</source>
+        <translation>eine Rotationsfläche muss entlang ihrer Achse gesehen werden, aus 0,1,0 oder 0,-1,0</translation>
+    </message>
+    <message>
+        <source>%1: median distance to the exact apparent ridge against the mean edge length</source>
+        <translation>%1: Median des Abstands zum exakten scheinbaren Grat über der mittleren Kantenlänge</translation>
+    </message>
+    <message>
+        <source>Bridge</source>
+        <translation>Brücke</translation>
+    </message>
+    <message>
+        <source>1 edge</source>
+        <translation>1 Kante</translation>
+    </message>
+    <message>
+        <source>%1 curvature, %2 derivative</source>
+        <translation>Krümmung: %1, Ableitung: %2</translation>
+    </message>
+    <message>
+        <source>, order %1</source>
+        <translation>, Ordnung %1</translation>
+    </message>
+    <message>
+        <source>jet</source>
+        <translation>Jet</translation>
+    </message>
+    <message>
+        <source>one-ring</source>
+        <translation>Einring</translation>
+    </message>
+    <message>
+        <source>closed-form</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>the plane is seen head-on: no direction within it leads to the viewer</source>
+        <translation>die Ebene wird frontal gesehen: keine Richtung in ihr führt zum Betrachter</translation>
+    </message>
+    <message>
+        <source>swept curve</source>
+        <translation>bewegte Kurve</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
@@ -2224,6 +2459,14 @@
         <source>Surface</source>
         <translation>Fläche</translation>
     </message>
+    <message>
+        <source>Bridge</source>
+        <translation>Brücke</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
 </context>
 <context>
     <name>PlacePoint</name>
@@ -2491,6 +2734,25 @@
     </message>
 </context>
 <context>
+    <name>SectionCommand</name>
+    <message>
+        <source>There is no plane that cuts the surface yet.</source>
+        <translation>Noch schneidet keine Ebene die Fläche.</translation>
+    </message>
+    <message>
+        <source>The plane does not cut the surface.</source>
+        <translation>Die Ebene schneidet die Fläche nicht.</translation>
+    </message>
+    <message>
+        <source>This surface is swept from the scene&apos;s curve, which the section would replace.</source>
+        <translation>Diese Fläche entsteht aus der Kurve der Szene, die der Schnitt ersetzen würde.</translation>
+    </message>
+    <message>
+        <source>open section</source>
+        <translation>Schnitt öffnen</translation>
+    </message>
+</context>
+<context>
     <name>SetView</name>
     <message>
         <source>change projection</source>
@@ -2625,6 +2887,17 @@
     </message>
 </context>
 <context>
+    <name>SweepCommand</name>
+    <message>
+        <source>revolve curve</source>
+        <translation>Kurve rotieren</translation>
+    </message>
+    <message>
+        <source>extrude curve</source>
+        <translation>Kurve extrudieren</translation>
+    </message>
+</context>
+<context>
     <name>SweepWords</name>
     <message>
         <source>%1°</source>
@@ -2720,6 +2993,163 @@
     <message>
         <source>Pro&amp;be</source>
         <translation>Sond&amp;e</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::BridgeController</name>
+    <message>
+        <source>The section is in flatland; undo brings the curves back.</source>
+        <translation>Der Schnitt ist in Flatland; Rückgängig bringt die Kurven zurück.</translation>
+    </message>
+    <message>
+        <source>There is no curve to make a surface of.</source>
+        <translation>Es gibt keine Kurve, aus der eine Fläche werden könnte.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::BridgePanel</name>
+    <message>
+        <source>Median distance of the lines found from those that flatland predicts, in edges of the mesh, and how much of the predicted lines was found</source>
+        <translation>Median des Abstands der gefundenen Linien von denen, die Flatland vorhersagt, in Kanten des Netzes, und wie viel der vorhergesagten gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Not swept</source>
+        <translation>Nicht aus einer Kurve</translation>
+    </message>
+    <message>
+        <source>Extrusion</source>
+        <translation>Extrusion</translation>
+    </message>
+    <message>
+        <source>Revolution</source>
+        <translation>Rotationsfläche</translation>
+    </message>
+    <message>
+        <source>How the curve becomes a surface: moved across its plane, or turned about an axis in it</source>
+        <translation>Wie aus der Kurve eine Fläche wird: quer zu ihrer Ebene verschoben oder um eine Achse in ihr gedreht</translation>
+    </message>
+    <message>
+        <source>S&amp;urface</source>
+        <translation>&amp;Fläche</translation>
+    </message>
+    <message>
+        <source>Which curve of the scene is swept</source>
+        <translation>Welche Kurve der Szene bewegt wird</translation>
+    </message>
+    <message>
+        <source>sweep another curve</source>
+        <translation>andere Kurve bewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Kurve</translation>
+    </message>
+    <message>
+        <source>change sweep</source>
+        <translation>Bewegung ändern</translation>
+    </message>
+    <message>
+        <source>Cells of the mesh along the curve. While a curve is dragged there are as many as keep up with the hand</source>
+        <translation>Zellen des Netzes entlang der Kurve. Während eine Kurve gezogen wird, sind es so viele, wie mit der Hand Schritt halten</translation>
+    </message>
+    <message>
+        <source>change resolution</source>
+        <translation>Auflösung ändern</translation>
+    </message>
+    <message>
+        <source>C&amp;ells</source>
+        <translation>&amp;Zellen</translation>
+    </message>
+    <message>
+        <source>&amp;Link views</source>
+        <translation>Ansichten &amp;verknüpfen</translation>
+    </message>
+    <message>
+        <source>Who turns the surface turns the flat view, and the other way</source>
+        <translation>Wer die Fläche dreht, dreht die Ansicht in Flatland, und umgekehrt</translation>
+    </message>
+    <message>
+        <source>&amp;Predicted lines</source>
+        <translation>Vor&amp;hergesagte Linien</translation>
+    </message>
+    <message>
+        <source>Draw where flatland says that the lines are, dashed, with ticks at the edge of the picture; pale where they cannot be expected</source>
+        <translation>Zeichnen, wo die Linien laut Flatland sind, gestrichelt, mit Strichen am Bildrand; blass, wo sie nicht zu erwarten sind</translation>
+    </message>
+    <message>
+        <source>close surface</source>
+        <translation>Fläche schließen</translation>
+    </message>
+    <message>
+        <source>There is no curve to make a surface of.</source>
+        <translation>Es gibt keine Kurve, aus der eine Fläche werden könnte.</translation>
+    </message>
+    <message>
+        <source>Curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+    <message>
+        <source>&amp;Axis at x</source>
+        <translation>&amp;Achse bei x</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>Where the upright axis of the revolution is</source>
+        <translation>Wo die aufrechte Drehachse ist</translation>
+    </message>
+    <message>
+        <source>How far the curve is moved across its plane</source>
+        <translation>Wie weit die Kurve quer zu ihrer Ebene verschoben wird</translation>
+    </message>
+    <message>
+        <source>The curve that the surface was swept from is gone.</source>
+        <translation>Die Kurve, aus der die Fläche entstand, ist nicht mehr da.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::BridgeStudy</name>
+    <message>
+        <source>Distance over resolution</source>
+        <translation>Abstand über der Auflösung</translation>
+    </message>
+    <message>
+        <source>Median distance of extracted to predicted ridges, for meshes of 16 to 256 cells along the curve</source>
+        <translation>Median des Abstands gefundener von vorhergesagten Graten, für Netze mit 16 bis 256 Zellen entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the diagram as a picture, or all values as CSV</source>
+        <translation>Das Diagramm als Bild schreiben oder alle Werte als CSV</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Study resolutions</source>
+        <translation>Auflösungen &amp;untersuchen</translation>
+    </message>
+    <message>
+        <source>Give up the study</source>
+        <translation>Die Untersuchung aufgeben</translation>
+    </message>
+    <message>
+        <source>Measure the distance on meshes of 16 to 256 cells, for both estimators of curvature and both ways to the derivative</source>
+        <translation>Den Abstand auf Netzen mit 16 bis 256 Zellen messen, für beide Schätzer der Krümmung und beide Wege zur Ableitung</translation>
+    </message>
+    <message>
+        <source>bridge</source>
+        <translation>bruecke</translation>
     </message>
 </context>
 <context>
@@ -3571,6 +4001,14 @@
         <source>Pick the point there, in the middle</source>
         <translation>Den Punkt dort, in der Mitte wählen</translation>
     </message>
+    <message>
+        <source>[ ], C</source>
+        <translation>[ ], C</translation>
+    </message>
+    <message>
+        <source>Move the plane; arrow keys turn it</source>
+        <translation>Ebene verschieben; Pfeile drehen sie</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::Layouts</name>
@@ -3978,6 +4416,33 @@
     <message>
         <source>%1. A click changes what this view shows</source>
         <translation>%1. Ein Klick ändert, was diese Ansicht zeigt</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::PlaneInput</name>
+    <message>
+        <source>Drag: move the plane along its normal</source>
+        <translation>Ziehen: die Ebene entlang ihrer Normalen verschieben</translation>
+    </message>
+    <message>
+        <source>Drag: turn the plane</source>
+        <translation>Ziehen: die Ebene drehen</translation>
+    </message>
+    <message>
+        <source>Moving the plane; Esc takes it back</source>
+        <translation>Bewegt die Ebene; Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>The arrow keys turn the plane; [ and ] move it</source>
+        <translation>Die Pfeiltasten drehen die Ebene; [ und ] verschieben sie</translation>
+    </message>
+    <message>
+        <source>The arrow keys turn the surface</source>
+        <translation>Die Pfeiltasten drehen die Fläche</translation>
+    </message>
+    <message>
+        <source>move plane</source>
+        <translation>Ebene bewegen</translation>
     </message>
 </context>
 <context>
@@ -4391,6 +4856,141 @@
     <message>
         <source>%1, asinh</source>
         <translation>%1, asinh</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SectionPanel</name>
+    <message>
+        <source>&amp;Open section as curve</source>
+        <translation>Schnitt als Kurve ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Ridges of the surface beside those of the section</source>
+        <translation>Grate der Fläche neben denen des Schnitts</translation>
+    </message>
+    <message>
+        <source>Apparent ridges of the surface that go through the plane, each with the nearest apparent ridge of the section, and the angle between t_A and the plane</source>
+        <translation>Scheinbare Grate der Fläche, die durch die Ebene gehen, jeder mit dem nächsten scheinbaren Grat des Schnitts, und der Winkel zwischen t_A und der Ebene</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>t_A off plane</source>
+        <translation>t_A zur Ebene</translation>
+    </message>
+    <message>
+        <source>Through the &amp;view</source>
+        <translation>Durch den &amp;Blick</translation>
+    </message>
+    <message>
+        <source>A plane that holds the line of sight, through the picked point or the middle of the picture</source>
+        <translation>Eine Ebene, die den Blickstrahl enthält, durch den gewählten Punkt oder die Bildmitte</translation>
+    </message>
+    <message>
+        <source>Along &amp;t_A</source>
+        <translation>Entlang &amp;t_A</translation>
+    </message>
+    <message>
+        <source>A plane that holds the line of sight and t_A at the picked point (click on the surface): there flatland&apos;s equation is the surface&apos;s</source>
+        <translation>Eine Ebene, die den Blickstrahl und t_A am gewählten Punkt enthält (auf die Fläche klicken): dort ist Flatlands Gleichung die der Fläche</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>En&amp;tfernen</translation>
+    </message>
+    <message>
+        <source>Take the plane away</source>
+        <translation>Die Ebene wegnehmen</translation>
+    </message>
+    <message>
+        <source>A&amp;zimuth</source>
+        <translation>A&amp;zimut</translation>
+    </message>
+    <message>
+        <source>Direction of the normal around the upright axis</source>
+        <translation>Richtung der Normalen um die aufrechte Achse</translation>
+    </message>
+    <message>
+        <source>E&amp;levation</source>
+        <translation>E&amp;rhebung</translation>
+    </message>
+    <message>
+        <source>How far the normal points upward</source>
+        <translation>Wie weit die Normale nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>A&amp;bstand</translation>
+    </message>
+    <message>
+        <source>How far from the middle of the surface, along the normal; the surface&apos;s longest side is 2</source>
+        <translation>Wie weit von der Mitte der Fläche, entlang der Normalen; die längste Seite der Fläche ist 2</translation>
+    </message>
+    <message>
+        <source>To&amp;lerance</source>
+        <translation>To&amp;leranz</translation>
+    </message>
+    <message>
+        <source>There is no surface to cut.</source>
+        <translation>Es gibt keine Fläche zum Schneiden.</translation>
+    </message>
+    <message>
+        <source>cut along the view</source>
+        <translation>entlang des Blicks schneiden</translation>
+    </message>
+    <message>
+        <source>Click on the surface first: t_A is that of a point.</source>
+        <translation>Klicke zuerst auf die Fläche: t_A gehört zu einem Punkt.</translation>
+    </message>
+    <message>
+        <source>There is no t_A at this point.</source>
+        <translation>An diesem Punkt gibt es kein t_A.</translation>
+    </message>
+    <message>
+        <source>cut along t_A</source>
+        <translation>entlang t_A schneiden</translation>
+    </message>
+    <message>
+        <source>remove plane</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>move plane</source>
+        <translation>Ebene bewegen</translation>
+    </message>
+    <message>
+        <source>Put the section in the place of the scene&apos;s curves, seen as it is now</source>
+        <translation>Den Schnitt an die Stelle der Kurven der Szene setzen, gesehen wie jetzt</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>t = %1</source>
+        <translation>t = %1</translation>
+    </message>
+    <message>
+        <source>%1: t = %2</source>
+        <translation>%1: t = %2</translation>
+    </message>
+    <message>
+        <source>How far the curve may be from the section, in thousandths of the surface&apos;s longest side. Automatic: 1, and at least a tenth of an edge, so that the curve does not follow the facets</source>
+        <translation>Wie weit die Kurve vom Schnitt entfernt sein darf, in Tausendsteln der längsten Seite der Fläche. Automatisch: 1, und mindestens eine Zehntelkante, damit die Kurve nicht den Facetten folgt</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>Bridge</name>
+    <message numerus="yes">
+        <source>%n left out: %1</source>
+        <translation>
+            <numerusform>%n left out: %1</numerusform>
+            <numerusform>%n left out: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curve(s), at most %1 from the section</source>
+        <translation>
+            <numerusform>%n curve, at most %1 from the section</numerusform>
+            <numerusform>%n curves, at most %1 from the section</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Gesture</name>
     <message numerus="yes">
         <source>%n points</source>

@@ -54,6 +54,8 @@ GlCanvas::GlCanvas(const SurfaceModels& models, QWidget* parent)
   });
   connect(&models_.source, &SurfaceSource::changed, this, repaint);
   connect(&models_.seen, &SeenSource::changed, this, repaint);
+  connect(&models_.bridges.source, &BridgeSource::changed, this, repaint);
+  connect(&models_.bridges.section, &SectionSource::changed, this, repaint);
   connect(&models_.display, &Display::changed, this, repaint);
 }
 

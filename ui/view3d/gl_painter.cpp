@@ -34,6 +34,7 @@ GlPainter::GlPainter() {
                        {Type::Fragment, shaders::kLineFragment}});
   meshArrays_.create();
   lineArrays_.create();
+  markArrays_.create();
 }
 
 void GlPainter::build(
@@ -99,6 +100,19 @@ void GlPainter::sendLines(const SurfacePicture& picture) {
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
 }
 
+// They are few, and others with every motion.
+void GlPainter::sendMarks(const SurfacePicture& picture) {
+  if (picture.marks.empty()) return;
+  std::vector<LineVertex> all;
+  for (const MarkLines& marks : picture.marks) {
+    all.insert(all.end(), marks.ends.begin(), marks.ends.end());
+  }
+  const QOpenGLVertexArrayObject::Binder bound(&markArrays_);
+  send(marks_, all);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
+}
+
 void GlPainter::paintMesh(const SurfacePicture& picture) {
   const ShadingColours shading = shadingColours(picture.palette);
   meshProgram_.bind();
@@ -117,7 +131,7 @@ void GlPainter::paintMesh(const SurfacePicture& picture) {
   glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
 }
 
-void GlPainter::paintLines(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
+void GlPainter::setUpLines(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
                            bool hiddenOnes) {
   lineProgram_.bind();
   lineProgram_.setUniformValue("clip", clip_);
@@ -127,6 +141,30 @@ void GlPainter::paintLines(const SurfacePicture& picture, const QSize& pixels, d
   const bool dashed = hiddenOnes && hiddenOf(picture.setting) == HiddenLines::Dashed;
   lineProgram_.setUniformValue("dashPx", dashed ? kDashPx * static_cast<float>(pixelRatio) : 0.0f);
   lineProgram_.setUniformValue("opacity", dashed ? kHiddenInk : 1.0f);
+}
+
+void GlPainter::paintMarks(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
+                           bool hiddenOnes) {
+  if (picture.marks.empty()) return;
+  setUpLines(picture, pixels, pixelRatio, hiddenOnes);
+  const QOpenGLVertexArrayObject::Binder bound(&markArrays_);
+  lineProgram_.setUniformValue("threshold", 0.0f);
+  int first = 0;
+  for (const MarkLines& marks : picture.marks) {
+    const int count = static_cast<int>(marks.ends.size());
+    lineProgram_.setUniformValue(
+        "colour", QVector3D(marks.colour.r, marks.colour.g, marks.colour.b) / 255.0f);
+    lineProgram_.setUniformValue("opacity", hiddenOnes ? kHiddenInk * marks.ink : marks.ink);
+    lineProgram_.setUniformValue(
+        "halfWidth", static_cast<float>(0.5 * marks.widthPx * picture.lineScale * pixelRatio));
+    if (count > 0) glDrawArrays(GL_LINES, first, count);
+    first += count;
+  }
+}
+
+void GlPainter::paintLines(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
+                           bool hiddenOnes) {
+  setUpLines(picture, pixels, pixelRatio, hiddenOnes);
   const QOpenGLVertexArrayObject::Binder bound(&lineArrays_);
   for (const LineLayer& layer : lineLayers(picture)) {
     if (layer.ends->empty()) continue;
@@ -166,14 +204,17 @@ void GlPainter::paint(const SurfacePicture& picture, const QSize& pixels, double
   glDepthFunc(GL_LESS);
   paintMesh(picture);
   // Lines hide nothing.
+  sendMarks(picture);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   if (hiddenOf(picture.setting) != HiddenLines::Off) {
     glDepthFunc(GL_GREATER);
+    paintMarks(picture, pixels, pixelRatio, true);
     paintLines(picture, pixels, pixelRatio, true);
   }
   glDepthFunc(GL_LEQUAL);
+  paintMarks(picture, pixels, pixelRatio, false);
   paintLines(picture, pixels, pixelRatio, false);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);

@@ -32,14 +32,20 @@ class GlPainter : protected QOpenGLExtraFunctions {
   void sendMesh(const SurfacePicture& picture);
   void sendColours(const SurfacePicture& picture);
   void sendLines(const SurfacePicture& picture);
+  void sendMarks(const SurfacePicture& picture);
   void paintMesh(const SurfacePicture& picture);
+  void setUpLines(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
+                  bool hiddenOnes);
+  void paintMarks(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
+                  bool hiddenOnes);
   void paintLines(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
                   bool hiddenOnes);
 
   QString fault_;
   QOpenGLShaderProgram meshProgram_, lineProgram_;
-  QOpenGLVertexArrayObject meshArrays_, lineArrays_;
-  QOpenGLBuffer positions_, normals_, colours_, indices_{QOpenGLBuffer::IndexBuffer}, lines_;
+  QOpenGLVertexArrayObject meshArrays_, lineArrays_, markArrays_;
+  QOpenGLBuffer positions_, normals_, colours_, indices_{QOpenGLBuffer::IndexBuffer}, lines_,
+      marks_;
   std::map<const std::vector<LineVertex>*, int> starts_;  ///< in lines_, of what seen_ has
   int indexCount_ = 0;
   bool hasColours_ = false;

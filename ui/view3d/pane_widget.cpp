@@ -7,8 +7,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/model/bridge_ticks.h"
 #include "ui/view3d/gl_canvas.h"
 #include "ui/view3d/pane_menu.h"
+#include "ui/view3d/plane_input.h"
 #include "ui/view3d/soft_canvas.h"
 #include "ui/view3d/surface_input.h"
 #include "ui/view3d/surface_overlay.h"
@@ -17,6 +19,7 @@ namespace flatland::ui {
 
 namespace {
 
+constexpr double kReachPx = 6.0;   ///< of a predicted line under the pointer
 constexpr int kProbeDelayMs = 25;  ///< a moving pointer is looked up at most so often
 constexpr int kTitleRestPx = 40;   ///< of the width of the title: the arrow of its menu
 constexpr int kFramePx = 2;        ///< around the view that panels are about
@@ -75,6 +78,8 @@ void PaneWidget::makeCanvas() {
   }
   input_ = new SurfaceInput(*canvas_, models_);
   connect(input_, &SurfaceInput::hint, this, &PaneWidget::hint);
+  auto* plane = new PlaneInput(*canvas_, models_);  // after the camera's, to be asked before it
+  connect(plane, &PlaneInput::hint, this, &PaneWidget::hint);
   connect(input_, &SurfaceInput::spinningChanged, this, &PaneWidget::spinningChanged);
   connect(input_, &SurfaceInput::pointedAt, this, [this](const std::optional<QPointF>& px) {
     pointer_ = px;
@@ -125,10 +130,18 @@ void PaneWidget::paintEvent(QPaintEvent*) {
 
 void PaneWidget::probe() {
   const auto& surface = models_.source.surface();
-  if (!pointer_ || !surface || !models_.there()) return overlay_->setReading(std::nullopt);
+  if (!pointer_ || !surface || !models_.there()) {
+    overlay_->setPredicted(std::nullopt);
+    return overlay_->setReading(std::nullopt);
+  }
   const Projection projection =
       orbitProjection(models_.camera(), surface->ballRadius, canvas_->width(), canvas_->height());
-  overlay_->setReading(readingAt(*surface, projection, {pointer_->x(), pointer_->y()}));
+  const Eigen::Vector2d px(pointer_->x(), pointer_->y());
+  overlay_->setReading(readingAt(*surface, projection, px));
+  const BridgeSource& bridge = models_.bridges.source;
+  const bool predicts = bridge.isShown() && bridge.view() && !bridge.view()->limits.empty();
+  overlay_->setPredicted(predicts ? predictedLineAt(*bridge.view(), projection, px, kReachPx)
+                                  : std::nullopt);
 }
 
 }  // namespace flatland::ui

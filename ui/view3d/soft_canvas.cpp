@@ -18,6 +18,8 @@ SoftCanvas::SoftCanvas(const SurfaceModels& models, QWidget* parent)
   });
   connect(&models_.source, &SurfaceSource::changed, this, &SoftCanvas::renew);
   connect(&models_.seen, &SeenSource::changed, this, &SoftCanvas::renew);
+  connect(&models_.bridges.source, &BridgeSource::changed, this, &SoftCanvas::renew);
+  connect(&models_.bridges.section, &SectionSource::changed, this, &SoftCanvas::renew);
   connect(&models_.display, &Display::changed, this, &SoftCanvas::renew);
 }
 

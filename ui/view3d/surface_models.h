@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/model/bridges.h"
 #include "ui/model/display.h"
 #include "ui/model/document.h"
 #include "ui/model/surface_pick.h"
@@ -17,11 +18,12 @@ struct SurfaceModels {
   Display& display;
   SurfacePick& pick;
   SurfaceViews& views;
+  Bridges& bridges;
   std::size_t pane = 0;  ///< which of the views it is
 
   /// The same for another of the views.
   SurfaceModels of(std::size_t other) const {
-    return {document, source, views.seen(other), display, pick, views, other};
+    return {document, source, views.seen(other), display, pick, views, bridges, other};
   }
 
   /// True if the document has a surface, and so many views of it.

@@ -5,8 +5,13 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/model/bridge_ticks.h"
+#include "ui/model/bridge_words.h"
+#include "ui/model/core_words.h"
+#include "ui/view3d/bridge_marks.h"
 #include "ui/view3d/pane_marks.h"
 #include "ui/view3d/pick_marks.h"
+#include "ui/view3d/plane_marks.h"
 #include "ui/view3d/surface_picture.h"
 
 namespace flatland::ui {
@@ -62,6 +67,9 @@ SurfaceOverlay::SurfaceOverlay(const SurfaceModels& models, QWidget* parent)
   connect(&models_.display, &Display::changed, this, repaint);
   connect(&models_.pick, &SurfacePick::changed, this, repaint);
   connect(&models_.views.ink(), &InkSource::changed, this, repaint);
+  connect(&models_.bridges.source, &BridgeSource::changed, this, repaint);
+  connect(&models_.bridges.section, &SectionSource::changed, this, repaint);
+  connect(&models_.bridges.grip, &PlaneGrip::changed, this, repaint);
 }
 
 void SurfaceOverlay::setFrameMs(double milliseconds) {
@@ -80,7 +88,8 @@ QStringList SurfaceOverlay::titleLines() const {
   const auto& surface = models_.source.surface();
   if (!surface) return {};
   const QLocale locale;
-  return {QString::fromStdString(surfaceName(surface->reference)),
+  const std::string name = surfaceName(surface->reference);
+  return {surface->swept ? coreWords(name) : QString::fromStdString(name),
           tr("%1 triangles").arg(locale.toString(surface->mesh->triangleCount()))};
 }
 
@@ -98,9 +107,20 @@ QStringList SurfaceOverlay::timeLines() const {
 }
 
 QStringList SurfaceOverlay::differenceWords() const { return differenceLines(models_); }
+void SurfaceOverlay::setPredicted(const std::optional<std::size_t>& line) {
+  if (line == predicted_) return;
+  predicted_ = line;
+  update();
+}
+
+QStringList SurfaceOverlay::predictedLines() const {
+  const auto& bridge = models_.bridges.source.view();
+  if (!predicted_ || !bridge || *predicted_ >= bridge->limits.size()) return {};
+  return predictedWords(*bridge, *predicted_);
+}
 
 QStringList SurfaceOverlay::readingLines() const {
-  if (!reading_) return {};
+  if (!reading_) return predictedLines();
   const Eigen::Vector3d& at = reading_->inFile;
   QStringList lines{
       QStringLiteral("%1, %2, %3").arg(number(at.x()), number(at.y()), number(at.z()))};
@@ -117,7 +137,7 @@ QStringList SurfaceOverlay::readingLines() const {
       lines << tr("|offset| / |feature| %1").arg(number(*share));
     }
   }
-  return lines;
+  return predictedLines() + lines;
 }
 
 void SurfaceOverlay::paintEvent(QPaintEvent*) {
@@ -129,6 +149,9 @@ void SurfaceOverlay::paintEvent(QPaintEvent*) {
   if (picture.surface) {
     const Projection projection =
         orbitProjection(picture.setting.camera, picture.surface->ballRadius, width(), height());
+    const int below = painter.fontMetrics().lineSpacing() * static_cast<int>(titleLines().size());
+    paintBridge(painter, models_, projection, {kMargin, 2 * kMargin + below});
+    paintPlane(painter, models_, projection);
     paintPick(painter, models_, projection);
     paintFirstCamera(painter, models_, projection);
   }

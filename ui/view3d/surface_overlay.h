@@ -19,6 +19,8 @@ class SurfaceOverlay : public QWidget {
   void setFrameMs(double milliseconds);
   void setReading(const std::optional<SurfaceReading>& reading);
   const std::optional<SurfaceReading>& reading() const { return reading_; }
+  /// The predicted line under the pointer, by its number.
+  void setPredicted(const std::optional<std::size_t>& line);
 
   /// The words at each corner, for tests and for who cannot see them.
   QStringList titleLines() const;
@@ -32,10 +34,12 @@ class SurfaceOverlay : public QWidget {
  private:
   /// The legend of the colour map, if there is one; how much of the bottom it takes, px.
   int paintLegend(QPainter& painter);
+  QStringList predictedLines() const;
 
   SurfaceModels models_;
   double frameMs_ = 0.0;
   std::optional<SurfaceReading> reading_;
+  std::optional<std::size_t> predicted_;
 };
 
 /// "k1 (largest curvature)" in the person's language.

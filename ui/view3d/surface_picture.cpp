@@ -60,6 +60,7 @@ class Painter {
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) corners_.push_back(cornerOf(v));
     for (const auto& triangle : mesh.triangles) paintTriangle(triangle);
     QImage small = image_.scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    paintMarks(small);
     paintLines(small);
     return small;
   }
@@ -161,6 +162,18 @@ class Painter {
     return colour * (0.72f + 0.28f * std::max(light, 0.0f));
   }
 
+  void paintMarks(QImage& image) const {
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const HiddenLines hidden = hiddenOf(picture_.setting);
+    for (const MarkLines& marks : picture_.marks) {
+      const LineLayer layer{&marks.ends, marks.colour, marks.widthPx, 0.0};
+      for (std::size_t i = 0; i + 1 < marks.ends.size(); i += 2) {
+        paintSegment(painter, marks.ends[i], marks.ends[i + 1], layer, hidden, marks.ink);
+      }
+    }
+  }
+
   void paintLines(QImage& image) const {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -173,7 +186,7 @@ class Painter {
   }
 
   void paintSegment(QPainter& painter, const LineVertex& a, const LineVertex& b,
-                    const LineLayer& layer, HiddenLines hidden) const {
+                    const LineLayer& layer, HiddenLines hidden, float opacity = 1.0f) const {
     bool aInFront = false, bInFront = false;
     const Vector3f from = toPicture({a.x, a.y, a.z}, &aInFront);
     const Vector3f to = toPicture({b.x, b.y, b.z}, &bInFront);
@@ -181,7 +194,7 @@ class Painter {
     const bool visible = isVisible(0.5f * (from + to));
     if (!visible && hidden == HiddenLines::Off) return;
     const float strength = 0.5f * (a.strength + b.strength);
-    float ink = inkOf(strength, layer.threshold);
+    float ink = opacity * inkOf(strength, layer.threshold);
     const Vector3f middle = 0.5f * (from + to) / static_cast<float>(kFiner * 2) / kDashPx;
     const bool gap = (static_cast<int>(std::floor(middle.x() * 2.0f)) +
                       static_cast<int>(std::floor(middle.y() * 2.0f))) %
@@ -251,7 +264,8 @@ Rgb differenceColour(std::size_t part, Palette palette) {
 }
 
 std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
-  if (!picture.seen || !picture.surface || picture.seen->surface->mesh != picture.surface->mesh) {
+  if (!picture.seen || !picture.surface ||
+      !isSameSurface(*picture.surface, *picture.seen->surface)) {
     return {};
   }
   std::vector<LineLayer> layers;
@@ -274,6 +288,22 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
   return layers;
 }
 
+namespace {
+
+void addMarks(SurfacePicture& picture, const Bridges& bridges) {
+  const auto& bridge = bridges.source.view();
+  if (bridge && bridges.source.isShown() &&
+      isSameSurface(*bridge->seen->surface, *picture.surface)) {
+    picture.marks = predictedLines(*bridge, picture.palette);
+  }
+  const auto& section = bridges.section.view();
+  if (section && section->surface->mesh == picture.surface->mesh) {
+    picture.marks.push_back(sectionLine(*section, picture.palette));
+  }
+}
+
+}  // namespace
+
 SurfacePicture pictureOf(const SurfaceModels& models) {
   SurfacePicture picture;
   picture.palette = themePalette();
@@ -285,6 +315,7 @@ SurfacePicture pictureOf(const SurfaceModels& models) {
   picture.pane = paneSetting(*models.document.scene().surface, models.pane);
   picture.surface = models.source.surface();
   picture.seen = models.seen.seen();
+  if (picture.surface) addMarks(picture, models.bridges);
   return picture;
 }
 

@@ -10,6 +10,7 @@
 
 #include "ui/model/seen_surface.h"
 #include "ui/model/surface_look.h"
+#include "ui/view3d/mark_lines.h"
 #include "ui/view3d/surface_models.h"
 
 namespace flatland::ui {
@@ -18,6 +19,7 @@ namespace flatland::ui {
 struct SurfacePicture {
   std::shared_ptr<const LoadedSurface> surface;  ///< null: an empty picture
   std::shared_ptr<const SeenSurface> seen;       ///< null: no lines yet
+  std::vector<MarkLines> marks;                  ///< predicted lines, a section
   SurfaceSetting setting;  ///< of this view alone; its camera is that it is looked at from
   Palette palette = Palette::Light;
   double lineScale = 1.0;  ///< of the widths

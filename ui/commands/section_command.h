@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/model/section_source.h"
+
+namespace flatland::ui {
+
+/// Why a section cannot be opened as curves, for a person; empty if it can.
+QString whyNotOpened(const Document& document, const SectionView* section);
+
+/// Replaces the scene's curves and view by those of the section, beside the same surface: one step
+/// for undo. Precondition: whyNotOpened() is empty.
+void openSection(Document& document, const SectionView& section);
+
+}  // namespace flatland::ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/commands/sweep_command.h"
+
+#include <QCoreApplication>
+
+#include "ui/commands/scene_commands.h"
+
+namespace flatland::ui {
+
+namespace {
+
+struct SweepCommandWords {
+  Q_DECLARE_TR_FUNCTIONS(SweepCommand)
+};
+
+}  // namespace
+
+void sweepCurve(Document& document, std::size_t curve, SweptSurface::Kind kind) {
+  const bool revolution = kind == SweptSurface::Kind::Revolution;
+  const QString text =
+      revolution ? SweepCommandWords::tr("revolve curve") : SweepCommandWords::tr("extrude curve");
+  const SurfaceSetting setting = sweptSetting(document.scene(), curve, kind);
+  View view = document.scene().view;
+  if (revolution) view.angleDeg = setting.camera.towards.y() < 0.0 ? -90.0 : 90.0;
+  document.undoStack().beginMacro(text);
+  document.push(std::make_unique<SetView>(document, view));
+  document.push(std::make_unique<SetSurface>(document, setting, text));
+  document.undoStack().endMacro();
+  // A surface that was swept before has kept its camera.
+  document.setCamera(setting.camera);
+}
+
+}  // namespace flatland::ui

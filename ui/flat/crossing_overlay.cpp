@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/flat/crossing_overlay.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include "ui/panels/mark_painting.h"
+
+namespace flatland::ui {
+
+CrossingOverlay::CrossingOverlay(const Bridges& bridges, const Viewport& viewport,
+                                 const Display& display, QWidget& canvas)
+    : QWidget(&canvas), bridges_(bridges), viewport_(viewport), display_(display) {
+  setObjectName("canvas.crossings");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  resize(canvas.size());
+  canvas.installEventFilter(this);
+  const auto repaint = qOverload<>(&QWidget::update);
+  connect(&bridges_.section, &SectionSource::changed, this, repaint);
+  connect(&viewport_, &Viewport::changed, this, repaint);
+  connect(&display_, &Display::changed, this, repaint);
+}
+
+bool CrossingOverlay::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) resize(static_cast<QWidget*>(watched)->size());
+  return false;
+}
+
+std::vector<QPointF> CrossingOverlay::crossings() const {
+  std::vector<QPointF> places;
+  if (!bridges_.section.isInFlatland()) return places;
+  const SectionView& section = *bridges_.section.view();
+  for (const SectionPair& pair : section.pairs) {
+    if (!pair.ridge) break;  // those come last
+    places.push_back(viewport_.toWidget(section.marks.ridges[*pair.ridge].inPlane));
+  }
+  return places;
+}
+
+void CrossingOverlay::paintEvent(QPaintEvent*) {
+  const std::vector<QPointF> places = crossings();
+  if (places.empty()) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const SectionView& section = *bridges_.section.view();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    paintCrossing(painter, places[i], static_cast<int>(i) + 1, display_.uiScale(),
+                  !section.seenRidges[*section.pairs[i].ridge]);
+  }
+}
+
+}  // namespace flatland::ui

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/section_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "ui/commands/scene_commands.h"
+#include "ui/commands/section_command.h"
+#include "ui/model/bridge_words.h"
+#include "ui/model/cutting_plane.h"
+#include "ui/model/orbit.h"
+#include "ui/panels/wrap_row.h"
+
+namespace flatland::ui {
+
+namespace {
+
+constexpr double kPerMille = 1e-3;
+
+SurfaceView viewOf(const SurfaceModels& models) {
+  constexpr double kAnySize = 100.0;  // the view depends on where the viewer stands alone
+  return orbitProjection(models.document.scene().surface->camera,
+                         models.source.surface()->ballRadius, kAnySize, kAnySize)
+      .view();
+}
+
+}  // namespace
+
+SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
+    : QWidget(parent), models_(models) {
+  setObjectName("section-panel");
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(makePresets());
+  auto* form = new QFormLayout;
+  form->setContentsMargins({});
+  addFields(*form);
+  layout->addLayout(form);
+  open_ = new QPushButton(tr("&Open section as curve"), this);
+  open_->setObjectName("section.open");
+  connect(open_, &QPushButton::clicked, this, &SectionPanel::openAsCurve);
+  layout->addWidget(open_);
+  state_ = new QLabel(this);
+  state_->setObjectName("section.state");
+  sentence_ = new QLabel(this);
+  sentence_->setObjectName("section.sentence");
+  for (QLabel* label : {state_, sentence_}) {
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+  }
+  layout->addWidget(state_);
+  table_ = new QTableWidget(0, 4, this);
+  table_->setObjectName("section.pairs");
+  table_->setAccessibleName(tr("Ridges of the surface beside those of the section"));
+  table_->setToolTip(
+      tr("Apparent ridges of the surface that go through the plane, each with the nearest apparent "
+         "ridge of the section, and the angle between t_A and the plane"));
+  table_->setHorizontalHeaderLabels(
+      {tr("Surface"), tr("Section"), tr("Apart"), tr("t_A off plane")});
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setTabKeyNavigation(false);
+  table_->setMinimumHeight(120);
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &SectionPanel::showSentence);
+  layout->addWidget(table_, 1);
+  layout->addWidget(sentence_);
+  setFocusProxy(alongView_);
+  connect(&models_.document, &Document::changed, this, [this](const Change& change) {
+    if (change.touchesSurface()) showPlane();
+    if (change.touchesScene()) showSection();
+  });
+  connect(&models_.source, &SurfaceSource::changed, this, &SectionPanel::showPlane);
+  connect(&models_.pick, &SurfacePick::changed, this, &SectionPanel::showPlane);
+  connect(&models_.bridges.section, &SectionSource::changed, this, &SectionPanel::showSection);
+  showPlane();
+  showSection();
+}
+
+QWidget* SectionPanel::makePresets() {
+  auto* row = new WrapRow(this);
+  const auto add = [&](const char* id, const QString& text, const QString& tip, auto act) {
+    auto* button = new QPushButton(text, row);
+    button->setObjectName(id);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, act);
+    row->add(button);
+    return button;
+  };
+  alongView_ =
+      add("section.along-view", tr("Through the &view"),
+          tr("A plane that holds the line of sight, through the picked point or the middle "
+             "of the picture"),
+          &SectionPanel::cutAlongView);
+  alongRidge_ = add("section.along-ridge", tr("Along &t_A"),
+                    tr("A plane that holds the line of sight and t_A at the picked point (click on "
+                       "the surface): there flatland's equation is the surface's"),
+                    &SectionPanel::cutAlongRidge);
+  remove_ =
+      add("section.remove", tr("&Remove"), tr("Take the plane away"), &SectionPanel::removePlane);
+  return row;
+}
+
+QDoubleSpinBox* SectionPanel::addField(QFormLayout& form, const char* id, const QString& name,
+                                       const QString& tip) {
+  auto* field = new QDoubleSpinBox(this);
+  field->setObjectName(id);
+  field->setToolTip(tip);
+  field->setAccessibleName(QString(name).remove('&'));
+  field->setKeyboardTracking(false);
+  field->setLocale(QLocale::c());
+  form.addRow(name, field);
+  return field;
+}
+
+void SectionPanel::addFields(QFormLayout& form) {
+  azimuth_ = addField(form, "section.azimuth", tr("A&zimuth"),
+                      tr("Direction of the normal around the upright axis"));
+  azimuth_->setRange(-360.0, 360.0);
+  azimuth_->setDecimals(2);
+  elevation_ =
+      addField(form, "section.elevation", tr("E&levation"), tr("How far the normal points upward"));
+  elevation_->setRange(-90.0, 90.0);
+  elevation_->setDecimals(2);
+  for (QDoubleSpinBox* field : {azimuth_, elevation_}) field->setSuffix(QStringLiteral("°"));
+  height_ = addField(form, "section.height", tr("&Distance"),
+                     tr("How far from the middle of the surface, along the normal; the surface's "
+                        "longest side is 2"));
+  height_->setRange(-2.0, 2.0);
+  height_->setDecimals(4);
+  height_->setSingleStep(0.02);
+  for (QDoubleSpinBox* field : {azimuth_, elevation_, height_}) {
+    connect(field, &QDoubleSpinBox::valueChanged, this, &SectionPanel::typed);
+  }
+  tolerance_ =
+      addField(form, "section.tolerance", tr("To&lerance"),
+               tr("How far the curve may be from the section, in thousandths of the "
+                  "surface's longest side. Automatic: 1, and at least a tenth of an edge, so "
+                  "that the curve does not follow the facets"));
+  tolerance_->setRange(0.0, 100.0);
+  tolerance_->setSpecialValueText(tr("automatic"));
+  tolerance_->setDecimals(3);
+  tolerance_->setSingleStep(0.5);
+  tolerance_->setSuffix(QStringLiteral(" ‰"));
+  tolerance_->setValue(models_.bridges.section.tolerance() / kPerMille);
+  connect(tolerance_, &QDoubleSpinBox::valueChanged, this,
+          [this](double value) { models_.bridges.section.setTolerance(kPerMille * value); });
+}
+
+void SectionPanel::setPlane(const std::optional<SurfacePlane>& plane, const QString& text) {
+  std::optional<SurfaceSetting> setting = models_.document.scene().surface;
+  if (!setting) return;
+  setting->plane = plane;
+  models_.document.push(std::make_unique<SetSurface>(models_.document, setting, text));
+}
+
+void SectionPanel::cutAlongView() {
+  const auto& setting = models_.document.scene().surface;
+  if (!setting) return emit said(tr("There is no surface to cut."));
+  const auto& hit = models_.pick.hit();
+  setPlane(planeAlongView(setting->camera, hit ? hit->at : setting->camera.centre),
+           tr("cut along the view"));
+}
+
+void SectionPanel::cutAlongRidge() {
+  const auto& hit = models_.pick.hit();
+  if (!hit) return emit said(tr("Click on the surface first: t_A is that of a point."));
+  const auto plane = planeAlongRidgeAt(*models_.source.surface(), viewOf(models_), hit->at);
+  if (!plane) return emit said(tr("There is no t_A at this point."));
+  setPlane(plane, tr("cut along t_A"));
+}
+
+void SectionPanel::removePlane() { setPlane(std::nullopt, tr("remove plane")); }
+
+void SectionPanel::openAsCurve() {
+  const auto& section = models_.bridges.section.view();
+  const QString why = whyNotOpened(models_.document, section.get());
+  if (!why.isEmpty()) return emit said(why);
+  openSection(models_.document, *section);
+  emit curvesOpened();
+}
+
+void SectionPanel::typed() {
+  const auto& setting = models_.document.scene().surface;
+  if (!setting || !setting->plane || !models_.source.surface()) return;
+  SurfacePlane plane = *setting->plane;
+  const double height = plane.point.dot(plane.normal);
+  if (sender() == height_) {
+    plane = moved(plane, height_->value() - height, models_.source.surface()->ballRadius);
+  } else {
+    plane.normal = normalOf({azimuth_->value(), elevation_->value()});
+  }
+  setPlane(plane, tr("move plane"));
+}
+
+void SectionPanel::showPlane() {
+  const auto& setting = models_.document.scene().surface;
+  const bool there = setting && models_.source.surface();
+  const bool cut = there && setting->plane;
+  const QSignalBlocker azimuthSilent(azimuth_), elevationSilent(elevation_), heightSilent(height_);
+  if (cut) {
+    const NormalAngles angles = anglesOf(setting->plane->normal);
+    azimuth_->setValue(angles.azimuthDeg);
+    elevation_->setValue(angles.elevationDeg);
+    height_->setValue(setting->plane->point.dot(setting->plane->normal));
+  }
+  for (QWidget* field : QList<QWidget*>{azimuth_, elevation_, height_, remove_}) {
+    field->setEnabled(cut);
+  }
+  alongView_->setEnabled(there);
+  alongRidge_->setEnabled(there && models_.pick.hit());
+}
+
+void SectionPanel::showSection() {
+  const auto& section = models_.bridges.section.view();
+  const QString why = whyNotOpened(models_.document, section.get());
+  open_->setEnabled(why.isEmpty());
+  open_->setToolTip(
+      why.isEmpty() ? tr("Put the section in the place of the scene's curves, seen as it is now")
+                    : why);
+  QStringList lines = section ? sectionWords(*section) : QStringList();
+  if (section && !why.isEmpty() && !lines.contains(why)) lines << why;
+  state_->setText(lines.join('\n'));
+  state_->setVisible(!lines.isEmpty());
+  showTable();
+}
+
+void SectionPanel::showTable() {
+  const auto& section = models_.bridges.section.view();
+  const std::size_t count = section ? section->pairs.size() : 0;
+  const int row = table_->currentRow();
+  {
+    const QSignalBlocker silent(table_);
+    table_->setRowCount(static_cast<int>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      const SectionPair& pair = section->pairs[i];
+      QString ridge = QStringLiteral("–"), mark = ridge, apart = ridge, angle = ridge;
+      if (pair.ridge) ridge = tr("× %1").arg(i + 1);
+      if (pair.mark) {
+        const Mark& its = section->marks.marks[*pair.mark].mark;
+        mark = tr("t = %1").arg(shortWords(its.t));
+        if (section->section.scene.curves.size() > 1) {
+          mark = tr("%1: t = %2").arg(its.curve + 1).arg(shortWords(its.t));
+        }
+      }
+      if (pair.distance) apart = shortWords(*pair.distance);
+      if (pair.offPlaneDeg) angle = QLocale().toString(*pair.offPlaneDeg, 'f', 1) + "°";
+      int column = 0;
+      for (const QString& text : {ridge, mark, apart, angle}) {
+        table_->setItem(static_cast<int>(i), column++, new QTableWidgetItem(text));
+      }
+    }
+    table_->selectRow(row >= 0 && row < static_cast<int>(count) ? row : 0);
+  }
+  table_->setVisible(count > 0);
+  showSentence();
+}
+
+void SectionPanel::showSentence() {
+  const auto& section = models_.bridges.section.view();
+  const int row = table_->currentRow();
+  const bool there = section && row >= 0 && row < static_cast<int>(section->pairs.size());
+  sentence_->setText(there ? pairWords(section->pairs[static_cast<std::size_t>(row)]) : QString());
+  sentence_->setVisible(there);
+}
+
+}  // namespace flatland::ui
