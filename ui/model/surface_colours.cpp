@@ -11,7 +11,10 @@ namespace flatland::ui {
 
 namespace {
 
-constexpr double kKept = 0.98;         ///< share of the vertices within the scale
+constexpr double kKept = 0.98;  ///< share of the vertices within the scale
+/// What depends on the view has no bound towards silhouettes: only what is turned so far to the
+/// viewer sets the scale.
+constexpr double kFacing = 0.4;
 constexpr double kLeastLambda = 1e-9;  ///< less is as good as flat, and has a logarithm
 constexpr Rgb kNoValue{0x9A, 0x9A, 0x9A};
 /// Ratios beyond a hundredth and a hundred are the same to the eye.
@@ -74,7 +77,7 @@ double percentile(std::vector<float>& values, double share) {
 void setEnds(ColourScale& scale, std::vector<float> seen) {
   switch (scale.quantity) {
     case SurfaceQuantity::Lambda:
-      // It grows without bound towards silhouettes: only its logarithm shows more than those.
+      // It spans orders of magnitude: on a linear scale all but the sharpest edges are alike.
       scale.low = percentile(seen, 1.0 - kKept);
       scale.high = percentile(seen, kKept);
       if (!(scale.high > scale.low)) scale.high = scale.low + 1.0;
@@ -108,12 +111,14 @@ VertexColours vertexColours(const TriangleMesh& mesh, const SurfaceFields& field
   std::vector<double> values(count, std::numeric_limits<double>::quiet_NaN());
   std::vector<float> seen;
   seen.reserve(count);
+  const bool ofTheView = quantity != SurfaceQuantity::K1 && quantity != SurfaceQuantity::K2;
+  const double least = ofTheView ? kFacing : 0.0;
   for (std::uint32_t v = 0; v < count; ++v) {
     const std::optional<SurfaceTerms> terms = termsAt(mesh, fields, view, v);
     if (!terms) continue;
     values[v] = valueOf(*terms, quantity);
     // What is turned away is not seen and must not stretch the scale.
-    if (terms->nw > 0.0 && std::isfinite(values[v])) {
+    if (terms->nw > least && std::isfinite(values[v])) {
       seen.push_back(static_cast<float>(values[v]));
     }
   }

@@ -2346,10 +2346,6 @@
         <translation>Schwellen × %1</translation>
     </message>
     <message>
-        <source>, as near as it gets</source>
-        <translation>, näher geht es nicht</translation>
-    </message>
-    <message>
         <source>In both, within a mean edge</source>
         <translation>In beiden, bis auf eine mittlere Kante</translation>
     </message>
@@ -2360,6 +2356,10 @@
     <message>
         <source>Missing: %1 % of the first</source>
         <translation>Fehlt: %1 % der ersten</translation>
+    </message>
+    <message>
+        <source>Ink %1 % of %2 %</source>
+        <translation>Tinte %1 % von %2 %</translation>
     </message>
 </context>
 <context>

@@ -2,16 +2,21 @@
 #pragma once
 
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <memory>
 
 #include "ui/view3d/surface_models.h"
 
+class QOpenGLFramebufferObject;
+
 namespace flatland::ui {
 
 class GlPainter;
+struct SurfacePicture;
 
 /// The surface drawn by OpenGL. Only where possible() says so: Qt's offscreen platform ends the
-/// process when such a widget is shown.
+/// process when such a widget is shown. Where the processor does the work of a card, edges are
+/// smoothed when the camera rests, and not while it moves.
 class GlCanvas : public QOpenGLWidget {
   Q_OBJECT
 
@@ -32,9 +37,12 @@ class GlCanvas : public QOpenGLWidget {
 
  private:
   void release();
+  void paintSmoothly(const SurfacePicture& picture, const QSize& pixels, double ratio);
 
   SurfaceModels models_;
   std::unique_ptr<GlPainter> painter_;
+  std::unique_ptr<QOpenGLFramebufferObject> fine_;  ///< kFiner times as large as the canvas
+  QTimer rest_;                                     ///< runs while the camera moves
 };
 
 }  // namespace flatland::ui

@@ -19,9 +19,22 @@ struct PaneMarkWords {
 
 constexpr double kBehindText = 0.72;  ///< opacity of the ground below words, as in the overlay
 constexpr int kSamplePx = 18;         ///< of a line in the legend
-// The eye stands, and its arrow ends, so many radii from the middle of the surface.
-constexpr double kEyeRadii = 1.35, kTipRadii = 1.08;
+// The eye stands so many radii from the middle of the surface, or nearer if that is outside the
+// picture; its arrow ends at this share of the way out.
+constexpr double kEyeRadii = 1.35, kTipShare = 0.8;
+constexpr double kRimPx = 14.0;  ///< around the eye to the edge of the picture
 constexpr double kEyePx = 5.0, kHeadPx = 8.0;
+
+/// How far one can go from a place and stay in the room: at most 1; 0 if the place is outside.
+double shareWithin(const QRectF& room, const QPointF& from, const QPointF& by) {
+  if (!room.contains(from)) return 0.0;
+  double share = 1.0;
+  if (by.x() > 0.0) share = std::min(share, (room.right() - from.x()) / by.x());
+  if (by.x() < 0.0) share = std::min(share, (room.left() - from.x()) / by.x());
+  if (by.y() > 0.0) share = std::min(share, (room.bottom() - from.y()) / by.y());
+  if (by.y() < 0.0) share = std::min(share, (room.top() - from.y()) / by.y());
+  return share;
+}
 
 QString percent(double share) { return QLocale().toString(100.0 * share, 'f', 1); }
 
@@ -32,9 +45,12 @@ QStringList inkLines(const SurfaceModels& models) {
   const PaneInk* ink = models.views.ink().of(models.pane);
   if (!ink) return {PaneMarkWords::tr("Solving for ink")};
   const QString factor = QLocale().toString(ink->factor, 'g', 3);
-  QStringList lines{PaneMarkWords::tr("Ink %1 %").arg(percent(ink->share)),
-                    PaneMarkWords::tr("Thresholds × %1").arg(factor)};
-  if (!ink->reached) lines.front() += PaneMarkWords::tr(", as near as it gets");
+  // Where it cannot be reached, both numbers stand there.
+  const double asked = *models.document.scene().surface->ink;
+  const QString share =
+      ink->reached ? PaneMarkWords::tr("Ink %1 %").arg(percent(ink->share))
+                   : PaneMarkWords::tr("Ink %1 % of %2 %").arg(percent(ink->share), percent(asked));
+  QStringList lines{share, PaneMarkWords::tr("Thresholds × %1").arg(factor)};
   if (models.views.ink().isStale()) lines.back() += QStringLiteral(" …");
   return lines;
 }
@@ -76,11 +92,17 @@ void paintFirstCamera(QPainter& painter, const SurfaceModels& models,
   if (!models.there() || !models.setting().ownCamera || !models.source.surface()) return;
   const SurfaceCamera& first = models.document.scene().surface->camera;
   const double radius = models.source.surface()->ballRadius;
+  const auto middle = projection.toScreen(first.centre);
   const auto eye = projection.toScreen(first.centre + kEyeRadii * radius * first.towards);
-  const auto tip = projection.toScreen(first.centre + kTipRadii * radius * first.towards);
-  if (!eye || !tip) return;
-  const QPointF from(eye->x(), eye->y()), to(tip->x(), tip->y());
+  if (!middle || !eye) return;
   const double scale = models.display.uiScale();
+  const QRectF room =
+      QRectF(0.0, 0.0, projection.width, projection.height)
+          .adjusted(kRimPx * scale, kRimPx * scale, -kRimPx * scale, -kRimPx * scale);
+  const QPointF centre(middle->x(), middle->y());
+  QPointF away = QPointF(eye->x(), eye->y()) - centre;
+  away *= shareWithin(room, centre, away);
+  const QPointF from = centre + away, to = centre + kTipShare * away;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   QColor ink = painter.pen().color();
