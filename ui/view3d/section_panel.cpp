@@ -65,6 +65,8 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
   table_->setHorizontalHeaderLabels(
       {tr("Surface"), tr("Section"), tr("Apart"), tr("t_A off plane")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  const int last = table_->columnCount() - 1;  // it has the longest name
+  table_->horizontalHeader()->setSectionResizeMode(last, QHeaderView::ResizeToContents);
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
