@@ -20,8 +20,6 @@ using namespace flatland::ui;
 
 namespace {
 
-constexpr int kPatienceMs = 60000;  // estimates on a crowded machine
-
 std::size_t countOf(const SeenSource& source, LineFamily family) {
   return source.seen() ? source.seen()->lines[static_cast<std::size_t>(family)].size() : 0;
 }
@@ -261,15 +259,7 @@ class CompareTest : public QObject {
     driver_->window().activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&driver_->window()));
   }
-  /// Nothing is read or searched any more.
-  bool quiet() {
-    driver_->settle();
-    const SurfaceModels models = driver_->window().surfaceModels();
-    const bool done = QTest::qWaitFor(
-        [&models] { return !models.source.isBusy() && !models.views.isStale(); }, kPatienceMs);
-    driver_->settle();
-    return done;
-  }
+  bool quiet() { return driver_->surfaceQuiet(); }
   void drag(std::size_t pane, const QPoint& from, const QPoint& to) {
     QWidget& on = *canvas(pane);
     QTest::mousePress(&on, Qt::LeftButton, {}, from);

@@ -62,6 +62,17 @@ class WindowDriver {
     QCoreApplication::processEvents();
   }
 
+  /// Waits until nothing of the surface is read or looked for any more, a minute at most: estimates
+  /// take long on a crowded machine.
+  bool surfaceQuiet() {
+    settle();
+    const SurfaceModels models = window_->surfaceModels();
+    const bool done = QTest::qWaitFor(
+        [&models] { return !models.source.isBusy() && !models.views.isStale(); }, 60000);
+    settle();
+    return done;
+  }
+
   QPoint at(const Vec2& world) { return window_->viewport().toWidget(world).toPoint(); }
   QPoint atPoint(std::size_t index) { return at(chain().points().at(index)); }
   QPoint atHandle() { return at(window_->stage().handle()); }

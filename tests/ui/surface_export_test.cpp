@@ -172,15 +172,7 @@ class SurfaceExportTest : public QObject {
     driver_->document().push(std::make_unique<SetSurface>(driver_->document(), setting, "edit"));
     QVERIFY(quiet());
   }
-  /// Nothing is read or searched any more.
-  bool quiet() {
-    driver_->settle();
-    const SurfaceModels models = driver_->window().surfaceModels();
-    const bool done = QTest::qWaitFor(
-        [&models] { return !models.source.isBusy() && !models.views.isStale(); }, kPatienceMs);
-    driver_->settle();
-    return done;
-  }
+  bool quiet() { return driver_->surfaceQuiet(); }
 
   std::unique_ptr<WindowDriver> driver_;
 };

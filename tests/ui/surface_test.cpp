@@ -361,14 +361,7 @@ class SurfaceTest : public QObject {
         ->lines[static_cast<std::size_t>(family)]
         .size();
   }
-  /// Nothing is read or searched any more.
-  bool quiet() {
-    const SurfaceModels models = driver_->window().surfaceModels();
-    const bool done = QTest::qWaitFor(
-        [&models] { return !models.source.isBusy() && !models.views.isStale(); }, kPatienceMs);
-    driver_->settle();
-    return done;
-  }
+  bool quiet() { return driver_->surfaceQuiet(); }
   void openSolid(const char* name) {
     driver_->window().surfaces().openSolid(name);
     QVERIFY(quiet());
