@@ -35,6 +35,17 @@ double InkRaster::share() const {
   return static_cast<double>(covered_) / static_cast<double>(columns_ * rows_);
 }
 
+bool InkRaster::holds(const Vector2d& place) const {
+  return place.x() >= 0.0 && place.x() < static_cast<double>(columns_) && place.y() >= 0.0 &&
+         place.y() < static_cast<double>(rows_);
+}
+
+bool InkRaster::isCovered(const Vector2d& place) const {
+  if (!holds(place)) return false;
+  const auto column = static_cast<std::ptrdiff_t>(place.x());
+  return ink_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place.y()) * columns_ + column)];
+}
+
 void InkRaster::clear() {
   std::fill(ink_.begin(), ink_.end(), false);
   covered_ = 0;

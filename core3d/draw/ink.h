@@ -18,6 +18,10 @@ class InkRaster {
   /// A stroke with round ends; what lies outside the picture is cut off. Cost: its area.
   void add(std::span<const Eigen::Vector2d> screen, bool closed, double widthPx);
 
+  /// Of the pixel that a place lies in; false outside the picture.
+  bool isCovered(const Eigen::Vector2d& place) const;
+  /// True inside the picture.
+  bool holds(const Eigen::Vector2d& place) const;
   std::size_t covered() const { return covered_; }
   /// Share of the pixels covered, in [0, 1].
   double share() const;

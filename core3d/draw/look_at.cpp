@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core3d/draw/ink.h"
 #include "core3d/run_on_threads.h"
 
 namespace flatland {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // How far off the surface rays start: a dense mesh's roughness is smaller than half a pixel. At
@@ -18,6 +20,10 @@ constexpr double kOffsetPx = 0.5;
 constexpr double kLeastOffset = 1e-5, kLargestOffset = 0.02;
 // Beside an outline there is background at this distance.
 constexpr double kBesidePx = 1.5;
+// Beside a contour that is hidden by a facet of the very outline there is background at this one.
+constexpr double kCoveredPx = 4.0;
+// How densely gaps of outlines are looked for.
+constexpr double kGapStepPx = 0.5;
 
 // Lines whose place on the mesh is combinatorial, not interpolated from quantities of vertices.
 bool followsTheMesh(LineFamily family) {
@@ -40,11 +46,12 @@ class Looker {
                            line.chain.family == LineFamily::Creases};
     const double px = unitsPerPx(p.at);
     ++rays_;
-    if (sight_.hidden(point, view_, std::clamp(kOffsetPx * px, kLeastOffset, kLargestOffset))) {
-      return Seen::Hidden;
-    }
-    if (!outlines_ || !mayBeOutline(line.chain.family)) return Seen::Visible;
-    return isOutline(line, p, point, kBesidePx * px) ? Seen::Outline : Seen::Visible;
+    const bool hidden =
+        sight_.hidden(point, view_, std::clamp(kOffsetPx * px, kLeastOffset, kLargestOffset));
+    const bool mayBe = mayBeOutline(line.chain.family) && (hidden || outlines_);
+    const bool outline = mayBe && isOutline(line, p, point, (hidden ? kCoveredPx : kBesidePx) * px);
+    if (hidden) return outline ? Seen::Covered : Seen::Hidden;
+    return outline ? Seen::Outline : Seen::Visible;
   }
 
   std::size_t rays() const { return rays_; }
@@ -87,6 +94,94 @@ class Looker {
   std::size_t rays_ = 0;
 };
 
+std::vector<Vector2d> screenOf(const ScreenChain& line, const Stretch& s) {
+  return flatland::screenOf(line, {0, s.from, s.to, s.seen, false});
+}
+
+// True if no line is drawn at a piece nor beside it, as far as background may be.
+bool isBare(const Vector2d& from, const Vector2d& to, const InkRaster& drawn) {
+  const Vector2d middle = (from + to) / 2.0, along = (to - from).stableNormalized();
+  if (!drawn.holds(middle)) return false;
+  for (double beside = -kCoveredPx; beside <= kCoveredPx; beside += 1.0) {
+    if (drawn.isCovered(middle + beside * Vector2d(-along.y(), along.x()))) return false;
+  }
+  return true;
+}
+
+// The parts of a covered stretch along which no outline is drawn yet, a little longer than that, so
+// that they meet what is drawn.
+std::vector<Stretch> gapsAlong(const ScreenChain& line, const Stretch& covered,
+                               const InkRaster& drawn, Seen as) {
+  std::vector<Stretch> gaps;
+  const double length = covered.to - covered.from;
+  const auto samples = std::max<std::size_t>(1, static_cast<std::size_t>(length / kGapStepPx));
+  const double step = length / static_cast<double>(samples);
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double from = covered.from + static_cast<double>(k) * step;
+    const std::vector<Vector2d> piece = screenOf(line, {from, from + step, as});
+    if (!isBare(piece.front(), piece.back(), drawn)) continue;
+    const double low = std::max(from - kBesidePx, covered.from);
+    const double high = std::min(from + step + kBesidePx, covered.to);
+    if (!gaps.empty() && low <= gaps.back().to) {
+      gaps.back().to = high;
+    } else {
+      gaps.push_back({low, high, as});
+    }
+  }
+  return gaps;
+}
+
+// Where a mesh is rough or coarse, facets stick out over the interpolated contour that is its
+// outline, and hide it. Where no other line is drawn along the outline, what is covered is taken
+// `as` seen, the longest first; the rest is hidden.
+void closeOutlines(std::vector<SeenChain>& chains, const Projection& projection, Seen as,
+                   double smallestGapPx) {
+  struct Covered {
+    std::size_t chain;
+    Stretch stretch;
+    std::vector<Stretch> gaps = {};
+  };
+  InkRaster drawn(projection.width, projection.height);
+  std::vector<Covered> all;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    const ScreenChain& line = chains[i].line;
+    if (!mayBeOutline(line.chain.family)) continue;
+    for (const Stretch& s : chains[i].stretches) {
+      if (s.seen == Seen::Covered) all.push_back({i, s});
+      if (s.seen == Seen::Visible || s.seen == Seen::Outline)
+        drawn.add(screenOf(line, s), false, 2.0 * kBesidePx);
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Covered& a, const Covered& b) {
+    return a.stretch.to - a.stretch.from > b.stretch.to - b.stretch.from;
+  });
+  for (Covered& covered : all) {
+    const ScreenChain& line = chains[covered.chain].line;
+    covered.gaps = gapsAlong(line, covered.stretch, drawn, as);
+    for (const Stretch& gap : covered.gaps) drawn.add(screenOf(line, gap), false, 2.0 * kBesidePx);
+  }
+  std::vector<std::vector<Stretch>> added(chains.size());
+  for (const Covered& covered : all) {
+    auto& to = added[covered.chain];
+    double place = covered.stretch.from;
+    for (const Stretch& gap : covered.gaps) {
+      if (gap.from > place) to.push_back({place, gap.from, Seen::Hidden});
+      to.push_back(gap);
+      place = gap.to;
+    }
+    if (covered.stretch.to > place) to.push_back({place, covered.stretch.to, Seen::Hidden});
+  }
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (added[i].empty()) continue;
+    auto& stretches = chains[i].stretches;
+    std::erase_if(stretches, [](const Stretch& s) { return s.seen == Seen::Covered; });
+    stretches.insert(stretches.end(), added[i].begin(), added[i].end());
+    std::sort(stretches.begin(), stretches.end(),
+              [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+    smoothStretches(stretches, chains[i].line, smallestGapPx);
+  }
+}
+
 }  // namespace
 
 std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Projection& projection,
@@ -106,6 +201,9 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
     rays += looker.rays();
   };
   runOnThreads(std::min(threadsFor(0), chains.size()), work);
+  closeOutlines(chains, projection,
+                lines[LineFamily::ExteriorSilhouette] ? Seen::Outline : Seen::Visible,
+                strokes.smallestGapPx);
   return rays;
 }
 

@@ -167,24 +167,6 @@ void mergeEqual(std::vector<Stretch>& stretches, bool closed, double length) {
   stretches = std::move(merged);
 }
 
-void smooth(std::vector<Stretch>& stretches, bool closed, double length, double smallestGapPx) {
-  const auto size = [](const Stretch& s) { return s.to - s.from; };
-  while (stretches.size() > 1) {
-    const auto shortest =
-        std::min_element(stretches.begin(), stretches.end(),
-                         [&size](const Stretch& a, const Stretch& b) { return size(a) < size(b); });
-    if (!(size(*shortest) < smallestGapPx)) return;
-    const auto i = static_cast<std::size_t>(shortest - stretches.begin());
-    const std::size_t n = stretches.size();
-    const Stretch* before = i > 0 || closed ? &stretches[(i + n - 1) % n] : nullptr;
-    const Stretch* after = i + 1 < n || closed ? &stretches[(i + 1) % n] : nullptr;
-    const bool takeBefore =
-        after == nullptr || (before != nullptr && size(*before) >= size(*after));
-    stretches[i].seen = (takeBefore ? before : after)->seen;
-    mergeEqual(stretches, closed, length);
-  }
-}
-
 }  // namespace
 
 ScreenChain::Point ScreenChain::at(double place) const {
@@ -285,8 +267,34 @@ std::vector<Stretch> stretchesOf(const ScreenChain& chain, double smallestGapPx,
                                             : length;
     stretches.push_back({changes[i].first, end, changes[i].second});
   }
-  smooth(stretches, chain.chain.closed, length, smallestGapPx);
+  smoothStretches(stretches, chain, smallestGapPx);
   return stretches;
+}
+
+void smoothStretches(std::vector<Stretch>& stretches, const ScreenChain& chain,
+                     double smallestGapPx) {
+  const bool closed = chain.chain.closed;
+  const double length = chain.length();
+  mergeEqual(stretches, closed, length);
+  const auto size = [](const Stretch& s) { return s.to - s.from; };
+  while (stretches.size() > 1) {
+    const auto shortest =
+        std::min_element(stretches.begin(), stretches.end(),
+                         [&size](const Stretch& a, const Stretch& b) { return size(a) < size(b); });
+    if (!(size(*shortest) < smallestGapPx)) return;
+    const auto i = static_cast<std::size_t>(shortest - stretches.begin());
+    const std::size_t n = stretches.size();
+    const Stretch* before = i > 0 || closed ? &stretches[(i + n - 1) % n] : nullptr;
+    const Stretch* after = i + 1 < n || closed ? &stretches[(i + 1) % n] : nullptr;
+    const bool takeBefore =
+        after == nullptr || (before != nullptr && size(*before) >= size(*after));
+    const auto isHidden = [](const Stretch* s) { return s != nullptr && s->seen == Seen::Hidden; };
+    // Where a line goes behind another the part beside that one's outline is hidden like the rest.
+    const bool goesBehind =
+        stretches[i].seen == Seen::Covered && (isHidden(before) || isHidden(after));
+    stretches[i].seen = goesBehind ? Seen::Hidden : (takeBefore ? before : after)->seen;
+    mergeEqual(stretches, closed, length);
+  }
 }
 
 }  // namespace flatland

@@ -44,6 +44,7 @@ enum class Seen : std::uint8_t {
   Hidden,
   Visible,
   Outline,  ///< visible, with nothing but background on its other side
+  Covered,  ///< hidden, with nothing but background on its other side; none is left by lookAt
 };
 
 /// From place to place of a chain. On a closed chain `to` may exceed its length.
@@ -58,5 +59,11 @@ struct Stretch {
 /// the first change (closed); one stretch from 0 to the length if nothing changes.
 std::vector<Stretch> stretchesOf(const ScreenChain& chain, double smallestGapPx,
                                  const std::function<Seen(const ScreenChain::Point&)>& seenAt);
+
+/// What stretchesOf ends with: neighbours that are seen alike become one, and stretches shorter
+/// than `smallestGapPx` take their longer neighbour's answer, the shortest first, what is covered
+/// beside what is hidden that of the latter.
+void smoothStretches(std::vector<Stretch>& stretches, const ScreenChain& chain,
+                     double smallestGapPx);
 
 }  // namespace flatland
