@@ -21,8 +21,6 @@ SurfaceDerivation surfaceDerivationAt(const TriangleMesh& mesh, const SurfaceFie
                                       const SurfaceView& view, const Eigen::Vector3d& right,
                                       std::uint32_t vertex);
 
-/// "place", "matrices" (row by row) and "steps", as derivationToJson. null: has no finite value.
-std::string surfaceDerivationToJson(const SurfaceDerivation& derivation);
 /// The matrices, then the steps as derivationToText.
 std::string surfaceDerivationToText(const SurfaceDerivation& derivation);
 

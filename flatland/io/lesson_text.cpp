@@ -167,6 +167,32 @@ void readProbe(const Entry& entry, LessonState& state) {
   }
 }
 
+Eigen::Vector3d cameraFrom(const Entry& entry) {
+  const json& value = entry.value();
+  Eigen::Vector3d towards = Eigen::Vector3d::Zero();
+  bool good = value.is_array() && value.size() == 3;
+  for (std::size_t i = 0; good && i < 3; ++i) {
+    good = value[i].is_number();
+    if (good) towards(static_cast<Eigen::Index>(i)) = value[i].get<double>();
+  }
+  const double length = towards.norm();
+  if (!good || !(length > 0.0)) entry.fail("expected a direction [x, y, z]");
+  return towards / length;
+}
+
+LessonPick pickFrom(const Entry& entry) {
+  const json& value = entry.value();
+  constexpr std::uint64_t kMost = 0xffffffff;
+  for (const bool isTriangle : {false, true}) {
+    const char* name = isTriangle ? "triangle" : "vertex";
+    if (!value.is_object() || value.size() != 1 || !value.contains(name)) continue;
+    const json& number = value[name];
+    if (!number.is_number_unsigned() || number.get<std::uint64_t>() > kMost) break;
+    return {isTriangle, number.get<std::uint32_t>()};
+  }
+  entry.fail("expected {\"vertex\": N} or {\"triangle\": N}, N from 0");
+}
+
 DerivationStep equationFrom(const Entry& entry) {
   const std::string id = entry.text();
   const auto step = derivationStepNamed(id);
@@ -187,7 +213,7 @@ void apply(const json& block, const BlockPlace& place, const std::string& source
                      "the block has both \"scene\" and \"preset\"; give one");
   }
   LessonState& state = step.state;
-  for (const char* key : {"preset", "scene", "viewAngleDeg", "probe"}) {
+  for (const char* key : {"preset", "scene", "viewAngleDeg", "probe", "camera", "pick"}) {
     step.setsPlace = step.setsPlace || block.contains(key);
   }
   for (const auto& [key, value] : block.items()) {
@@ -196,10 +222,16 @@ void apply(const json& block, const BlockPlace& place, const std::string& source
       state.scene = key == "preset" ? presetScene(entry) : writtenScene(entry);
       if (!block.contains("viewAngleDeg")) state.viewAngleDeg.reset();
       if (!block.contains("probe")) state.probeT.reset();
+      if (!block.contains("camera")) state.camera.reset();
+      if (!block.contains("pick")) state.pick.reset();
     } else if (key == "viewAngleDeg") {
       state.viewAngleDeg = entry.number();
     } else if (key == "probe") {
       readProbe(entry, state);
+    } else if (key == "camera") {
+      state.camera = cameraFrom(entry);
+    } else if (key == "pick") {
+      state.pick = pickFrom(entry);
     } else if (key == "families") {
       state.families = familiesFrom(entry);
     } else if (key == "equation") {
@@ -216,9 +248,14 @@ void apply(const json& block, const BlockPlace& place, const std::string& source
       step.stop = entry.boolean();
     } else {
       entry.fail(
-          "unknown key; known are preset, scene, viewAngleDeg, probe, families, equation, "
-          "printed, printedRoots, panel, stop");
+          "unknown key; known are preset, scene, viewAngleDeg, probe, camera, pick, families, "
+          "equation, printed, printedRoots, panel, stop");
     }
+  }
+  const bool needsSurface = block.contains("camera") || block.contains("pick");
+  if (needsSurface && !(state.scene && state.scene->surface)) {
+    throw InputError(source, place.of(block.contains("camera") ? "camera" : "pick"),
+                     "\"camera\" and \"pick\" are for a scene of the lesson with a surface");
   }
   if (state.printed && !(state.equation && textOf(*state.equation).isMisprinted())) {
     throw InputError(source, place.of("printed"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,13 +14,23 @@
 
 namespace flatland {
 
+/// A point of the scene's surface that a step picks.
+struct LessonPick {
+  bool isTriangle = false;   ///< else a vertex
+  std::uint32_t number = 0;  ///< of the mesh, from 0
+
+  bool operator==(const LessonPick&) const = default;
+};
+
 /// What a step of a lesson puts before the class. What a step does not name stays as in the step
 /// before; a step holds it all, so it can be gone to directly.
 struct LessonState {
   std::optional<Scene> scene;          ///< empty: the person's own
   std::optional<double> viewAngleDeg;  ///< over the scene's own view
   std::size_t probeCurve = 0;
-  std::optional<double> probeT;  ///< empty: the probe stays where it is
+  std::optional<double> probeT;           ///< empty: the probe stays where it is
+  std::optional<Eigen::Vector3d> camera;  ///< unit: from where the surface is seen; empty: scene's
+  std::optional<LessonPick> pick;         ///< on the surface; empty: as it is
   /// Names of nameOf(MarkKind), perhaps none; empty: as the person has them.
   std::optional<std::vector<std::string>> families;
   std::optional<DerivationStep> equation;
@@ -45,8 +56,9 @@ struct Lesson {
 
 /// The panels that a step may ask for: the docks of the window.
 inline constexpr std::string_view kLessonPanels[] = {
-    "view",   "legend", "probe",  "points",  "curve",    "plots",  "sweep",  "study",
-    "limits", "marks",  "lesson", "surface", "families", "bridge", "section"};
+    "view",    "legend", "probe",  "points",  "curve",    "plots",  "sweep",   "study",
+    "limits",  "marks",  "lesson", "surface", "families", "bridge", "section", "surface-derivation",
+    "triangle"};
 
 inline constexpr std::size_t kLargestLessonBytes = 1024U * 1024U;
 inline constexpr std::size_t kMostLessonSteps = 500;

@@ -79,15 +79,16 @@ struct StepSides {
 
 enum class StepAnswer {
   Evaluated,
-  NoTangent,   ///< a cusp: there is no normal
-  Silhouette,  ///< n.j = 0 to rounding: nothing by i exists, lambda has no finite value
-  NoNormal,    ///< of a surface: unknown at this vertex
+  NoTangent,    ///< a cusp: there is no normal
+  Silhouette,   ///< n.j = 0 to rounding: nothing by i exists, lambda has no finite value
+  NoNormal,     ///< of a surface: unknown at this vertex
   NoDirection,  ///< of a surface: it bends alike in all directions as seen, or not at all, so that
                 ///< there is no t_A
 };
 
 /// A step at a place. The sides are empty where `answer` says why; `printed` also where the thesis
-/// prints what is right or, on a surface, has no principal directions to speak of. At an inflection k = 0: both sides vanish, printed and corrected alike.
+/// prints what is right or, on a surface, has no principal directions to speak of. At an inflection
+/// k = 0: both sides vanish, printed and corrected alike.
 struct StepReading {
   StepAnswer answer = StepAnswer::Evaluated;
   std::optional<StepSides> corrected;

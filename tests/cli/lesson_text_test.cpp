@@ -69,6 +69,41 @@ TEST(LessonText, ASceneCanBeWrittenOut) {
   EXPECT_EQ(lesson.steps[0].state.scene->curves.size(), 1u);
 }
 
+TEST(LessonText, ASurfaceIsSeenFromACameraAndPicked) {
+  const std::string scene =
+      R"("scene": {"flatland": 3, "curves": [{"bezier": [[0, 0], [1, 2], [2, 0]]}],
+                   "surface": {"mesh": "solid:torus:40"}})";
+  const Lesson lesson = lessonFromText(
+      "# A\n## B\n" + block("{" + scene + R"(, "camera": [0, 0, 2], "pick": {"vertex": 7},
+                                            "panel": "surface-derivation"})") +
+          "## C\ntext\n## D\n" + block(R"({"pick": {"triangle": 9}, "panel": "triangle"})") +
+          "## E\n" + block("{" + scene + "}"),
+      "l.md");
+  const LessonState& first = lesson.steps[0].state;
+  ASSERT_TRUE(first.camera && first.pick);
+  EXPECT_EQ(*first.camera, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(*first.pick, (LessonPick{false, 7}));
+  EXPECT_EQ(lesson.steps[1].state.pick, first.pick);
+  EXPECT_FALSE(lesson.steps[1].setsPlace);
+  EXPECT_EQ(*lesson.steps[2].state.pick, (LessonPick{true, 9}));
+  EXPECT_TRUE(lesson.steps[2].setsPlace);
+  EXPECT_TRUE(lesson.steps[2].state.camera);
+  EXPECT_FALSE(lesson.steps[3].state.camera || lesson.steps[3].state.pick);
+  EXPECT_NE(refusal("# A\n## B\n" + block(R"({"preset": "bump", "pick": {"vertex": 7}})"))
+                .find("line 4: \"camera\" and \"pick\" are for"),
+            std::string::npos);
+  EXPECT_NE(refusal("# A\n## B\n" + block("{" + scene + ",\n\"camera\": [0, 0, 0]}"))
+                .find("\"camera\": expected a direction"),
+            std::string::npos);
+  for (const char* pick : {R"({"vertex": -1})", R"({"edge": 1})", R"({"vertex": 1, "triangle": 2})",
+                           "7", R"({"triangle": 4294967296})"}) {
+    EXPECT_NE(refusal("# A\n## B\n" + block("{" + scene + ", \"pick\": " + pick + "}"))
+                  .find("\"pick\": expected {"),
+              std::string::npos)
+        << pick;
+  }
+}
+
 TEST(LessonText, RefusesWithLineAndReason) {
   EXPECT_EQ(refusal(""), "l.md: no title, \"# ...\"");
   EXPECT_EQ(refusal("# A\n"), "l.md: no step, \"## ...\"");
@@ -125,7 +160,7 @@ TEST(LessonText, TheDocumentedExampleAndTheShippedLessonsAreRead) {
   const std::size_t start = from + begin.size();
   const Lesson example = lessonFromText(text.substr(start, text.find("````\n", start) - start), "");
   EXPECT_EQ(example.steps.size(), 2u);
-  for (const char* name : {"silhouette", "apparent-ridge", "offset"}) {
+  for (const char* name : {"silhouette", "apparent-ridge", "offset", "surface"}) {
     const Lesson lesson = loadLesson(root + "/ui/lesson/lessons/" + name + ".md");
     EXPECT_GE(lesson.steps.size(), 5u) << name;
     for (const LessonStep& step : lesson.steps) EXPECT_FALSE(step.text.empty()) << step.title;
@@ -168,7 +203,7 @@ TEST(LessonText, TheGermanLessonsShowWhatTheEnglishOnesShow) {
     }
     EXPECT_EQ(blocksOf(translated), blocksOf(entry.path().string())) << translated;
   }
-  EXPECT_EQ(lessons, 3);
+  EXPECT_EQ(lessons, 4);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ class LessonTest : public QObject {
 
   void shippedLessonsShowAllStepsWithTheirValues() {
     WindowDriver& d = *driver_;
-    QCOMPARE(d.window().lessons().shipped().size(), 3);
+    QCOMPARE(d.window().lessons().shipped().size(), 4);
     for (const char* id : {"silhouette", "apparent-ridge", "offset"}) {
       d.trigger(qPrintable(QStringLiteral("lesson.shipped.") + id));
       LessonModel& lesson = d.window().lesson();

@@ -90,6 +90,11 @@ void dress(MainWindow& window, const Shot& shot) {
   const bool chosen = *layout != Layouts::Kind::Work || !window.document().scene().surface;
   if (chosen) window.layouts().use(*layout);
   if (shot.scale > 0.0) window.display().setUiScale(shot.scale);
+  if (!shot.pick.empty()) {
+    const bool isTriangle = shot.pick.front() == 't';
+    const unsigned long number = std::stoul(shot.pick.substr(shot.pick.find(':') + 1));
+    window.surfaceModels().pick.pickWhenRead(isTriangle, static_cast<std::uint32_t>(number));
+  }
   if (shot.probe) window.probe().setPlace(Probe::Place{shot.probe->first, shot.probe->second});
 }
 

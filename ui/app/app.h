@@ -37,6 +37,7 @@ struct Shot {
   std::string language = "en";
   double scale = 0.0;  ///< see Display::uiScale(); 0: the usual one of the layout
   std::optional<std::pair<std::size_t, double>> probe;  ///< curve and parameter
+  std::string pick;  ///< "vertex:N" or "triangle:N" of the surface; empty: nothing is picked
 };
 
 /// Shows the real window at that size (the window does not get smaller than its contents allow),

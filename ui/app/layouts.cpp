@@ -17,6 +17,8 @@ namespace {
 constexpr int kVersion = 4;  ///< of saveState(): raise when docks change names
 
 const QStringList kSurfacePanels{"families", "surface", "bridge", "section"};
+/// Of a picked point: opened when they are wanted.
+const QStringList kPickPanels{"surface-derivation", "triangle"};
 
 QString nameOf(Layouts::Kind kind) {
   switch (kind) {
@@ -98,7 +100,7 @@ void Layouts::enter(Kind kind) {
 void Layouts::arrange() {
   switch (current_) {
     case Kind::Work:
-      docks_.arrangeBut(kSurfacePanels);
+      docks_.arrangeBut(kSurfacePanels + kPickPanels);
       break;
     case Kind::Surface:
       docks_.arrangeOnly(kSurfacePanels);

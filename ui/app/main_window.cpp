@@ -177,12 +177,24 @@ void MainWindow::connectParts() {
     if (projector && !lesson_.isOpen()) docks_->hide("lesson");
   };
   connect(&lesson_, &LessonModel::changed, this, hideStrip);
+  // A lesson about a surface ends where it began.
+  connect(&lesson_, &LessonModel::changed, this, [this] {
+    const bool surfaceLeft = !lesson_.isOpen() && !document_.scene().surface;
+    if (surfaceLeft && layouts_->current() == Layouts::Kind::Surface) {
+      layouts_->use(Layouts::Kind::Work);
+    }
+  });
   connect(layouts_, &Layouts::changed, this, [this, showStrip, hideStrip] {
     hideStrip();
-    if (lesson_.isOpen() && layouts_->current() == Layouts::Kind::Projector) showStrip();
+    const bool hidesIt = layouts_->current() == Layouts::Kind::Projector ||
+                         layouts_->current() == Layouts::Kind::Surface;
+    if (lesson_.isOpen() && hidesIt) showStrip();
   });
   connect(&lesson_, &LessonModel::panelWanted, this,
           [this](const QString& id) { docks_->show(id.toLatin1().constData()); });
+  connect(&lesson_, &LessonModel::pickWanted, this, [this](const LessonPick& pick) {
+    surfacePick_.pickWhenRead(pick.isTriangle, pick.number);
+  });
   // A file is about the person's own scene, never about a step's.
   connect(files_, &FileController::aboutToUseFile, &lesson_, &LessonModel::leave);
   files_->setUnsavedWork([this] { return lesson_.hasUnsavedWork(); });

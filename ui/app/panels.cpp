@@ -17,9 +17,11 @@
 #include "ui/plot/study_panel.h"
 #include "ui/plot/sweep_panel.h"
 #include "ui/view3d/bridge_panel.h"
+#include "ui/view3d/derivation_panel.h"
 #include "ui/view3d/families_panel.h"
 #include "ui/view3d/section_panel.h"
 #include "ui/view3d/surface_panel.h"
+#include "ui/view3d/triangle_panel.h"
 
 namespace flatland::ui {
 
@@ -67,6 +69,12 @@ void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts
   auto* limits = new LimitsPanel(models);
   QObject::connect(limits, &LimitsPanel::said, &status, &StatusLine::say);
   docks.add("limits", PanelsWords::tr("Limits"), limits, Group::Plots);
+  // Both panels look at it to their end, so it is the document's.
+  auto* picked = new SurfaceStudy(models.document, parts.surface.pick, &models.document);
+  docks.add("surface-derivation", PanelsWords::tr("Surface derivation"),
+            new DerivationPanel(*picked), Group::Plots);
+  docks.add("triangle", PanelsWords::tr("Triangle"), new TrianglePanel(*picked, models.display),
+            Group::Plots);
   docks.add("marks", PanelsWords::tr("Marks"), new MarksPanel(models), Group::Bottom);
   docks.add("lesson", PanelsWords::tr("Lesson"),
             new LessonPanel(parts.lesson, models.probe, models.display), Group::Bottom);

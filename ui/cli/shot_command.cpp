@@ -18,7 +18,7 @@ struct Options {
   std::optional<double> viewAngleDeg;
   PixelSize size{1280, 800};
   bool projector = false;
-  std::string probe;
+  std::string probe, pick;
   Shot shot;
 };
 
@@ -44,6 +44,18 @@ std::string whyNotProbe(const std::string& text) {
   return "expected a curve's number and a parameter, for example 0:0.25, found " + text;
 }
 
+/// Why a text does not say what to pick; empty: it does.
+std::string whyNotPick(const std::string& text) {
+  constexpr std::size_t kMostDigits = 9;
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
+  const bool digits = !number.empty() && number.size() <= kMostDigits &&
+                      number.find_first_not_of("0123456789") == std::string::npos;
+  if (digits && (kind == "vertex" || kind == "triangle")) return {};
+  return "expected vertex:N or triangle:N, found " + text;
+}
+
 /// Throws InputError if the scene has no such place.
 void requireProbe(const Scene& scene, const std::pair<std::size_t, double>& probe) {
   const auto fail = [&](const std::string& why) { throw InputError("--probe", "", why); };
@@ -65,6 +77,7 @@ int run(const Options& options) {
   shot.width = options.size.width;
   shot.height = options.size.height;
   if (options.projector) shot.layout = "projector";
+  shot.pick = options.pick;
   if (!options.probe.empty()) shot.probe = parsedProbe(options.probe);
   if (!options.scene.empty()) shot.scene = sceneToShow(options.scene);
   if (options.viewAngleDeg) {
@@ -113,6 +126,10 @@ void addShotCommand(CLI::App& app, Action& action) {
   command.add_option("--probe", options->probe, "Put the probe on a curve, at a parameter")
       ->type_name("CURVE:T")
       ->check(CLI::Validator(whyNotProbe, ""));
+  command
+      .add_option("--pick", options->pick, "Pick a point of the surface: vertex:N or triangle:N")
+      ->type_name("WHAT")
+      ->check(CLI::Validator(whyNotPick, ""));
   command.footer(
       "Examples:\n"
       "  flatland shot -o window.png\n"

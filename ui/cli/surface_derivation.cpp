@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core3d/io/surface_derivation_text.h"
+#include "core3d/io/surface_derivation_json.h"
 
 namespace flatland::ui {
 

@@ -46,7 +46,7 @@ LessonFiles::LessonFiles(QWidget& window, LessonModel& lesson, QString language,
 
 QList<LessonFiles::Shipped> LessonFiles::shipped() const {
   QList<Shipped> list;
-  for (const char* id : {"silhouette", "apparent-ridge", "offset"}) {
+  for (const char* id : {"silhouette", "apparent-ridge", "offset", "surface"}) {
     const QString translated = QString(kFolder) + language_ + "/" + id + ".md";
     const QString file = QFile::exists(translated) ? translated : QString(kFolder) + id + ".md";
     list << Shipped{file, QString::fromStdString(read(file).title)};

@@ -33,7 +33,7 @@ class LeaveLesson : public ReplaceScene {
 };
 
 bool sameScene(const LessonState& a, const LessonState& b) {
-  return a.scene == b.scene && a.viewAngleDeg == b.viewAngleDeg;
+  return a.scene == b.scene && a.viewAngleDeg == b.viewAngleDeg && a.camera == b.camera;
 }
 
 bool sameProbe(const LessonState& a, const LessonState& b) {
@@ -124,6 +124,7 @@ void LessonModel::apply(bool keepScene) {
   if (!keepScene) {
     Scene scene = state.scene ? *state.scene : own_->scene;
     if (state.viewAngleDeg) scene.view.angleDeg = normalizedDeg(*state.viewAngleDeg);
+    if (state.camera && scene.surface) scene.surface->camera.towards = *state.camera;
     if (!(document_.scene() == scene)) {
       showing_ = true;  // the stack counts the command only after it was done
       document_.push(std::make_unique<ShowLessonStep>(
@@ -134,6 +135,7 @@ void LessonModel::apply(bool keepScene) {
     stepsDone_ = stepsDone();
     isUndone_ = false;
     if (state.probeT) probe_.setPlace(Probe::Place{state.probeCurve, *state.probeT});
+    if (state.pick) emit pickWanted(*state.pick);
   }
   showSettings();
   if (!state.panel.empty()) emit panelWanted(QString::fromStdString(state.panel));

@@ -138,7 +138,7 @@ void LessonPanel::showStep() {
                         QString::fromStdString(step.text));
   } else {
     title_->setText(tr("No lesson is open"));
-    words_->setMarkdown(tr("The **Lesson** menu has three, and opens your own."));
+    words_->setMarkdown(tr("The **Lesson** menu has four, and opens your own."));
   }
   first_->setEnabled(open && lesson_.index() > 0);
   back_->setEnabled(open && lesson_.index() > 0);

@@ -26,6 +26,7 @@ SurfacePick::SurfacePick(const SurfaceSource& source, QObject* parent)
 }
 
 void SurfacePick::pick(const std::optional<SurfaceHit>& hit) {
+  wish_.reset();
   if (!surface() || (!hit && !hit_) || (hit && hit_ && same(*hit, *hit_))) return;
   hit_ = hit;
   seen_ = hit ? surface() : nullptr;
@@ -47,7 +48,21 @@ void SurfacePick::pickTriangle(std::uint32_t triangle) {
   pick(placeIn(*surface()->mesh, triangle, {kThird, kThird, kThird}));
 }
 
+void SurfacePick::pickWhenRead(bool isTriangle, std::uint32_t number) {
+  if (!surface()) {
+    wish_ = Wish{isTriangle, number};
+  } else if (isTriangle) {
+    pickTriangle(number);
+  } else {
+    pickVertex(number);
+  }
+}
+
 void SurfacePick::follow() {
+  if (wish_ && surface()) {
+    const Wish wish = *wish_;
+    return pickWhenRead(wish.isTriangle, wish.number);
+  }
   if (!hit_ || surface() == seen_) return;
   // Fields come later than their mesh, or anew; another mesh has other triangles.
   if (!surface() || surface()->mesh != seen_->mesh) hit_.reset();

@@ -36,6 +36,9 @@ class SurfacePick : public QObject {
   void pickVertex(std::uint32_t vertex);
   void pickTriangle(std::uint32_t triangle);
 
+  /// The same as soon as a surface is there that has been read.
+  void pickWhenRead(bool isTriangle, std::uint32_t number);
+
  signals:
   /// Another place, none any more, or the same one with other fields.
   void changed();
@@ -46,6 +49,11 @@ class SurfacePick : public QObject {
   const SurfaceSource& source_;
   std::shared_ptr<const LoadedSurface> seen_;  ///< that hit_ is about, last told
   std::optional<SurfaceHit> hit_;
+  struct Wish {
+    bool isTriangle;
+    std::uint32_t number;
+  };
+  std::optional<Wish> wish_;  ///< for the surface that is being read
 };
 
 }  // namespace flatland::ui

@@ -2467,6 +2467,14 @@
         <source>Section</source>
         <translation>Schnitt</translation>
     </message>
+    <message>
+        <source>Surface derivation</source>
+        <translation>Herleitung der Fläche</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
 </context>
 <context>
     <name>PlacePoint</name>
@@ -3229,6 +3237,141 @@
     <message>
         <source>Converted within %1; cubic pieces: %2.</source>
         <translation>Auf %1 genau umgewandelt; kubische Stücke: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::DerivationPanel</name>
+    <message>
+        <source>The vertex nearest to the picked point; type a number to pick another</source>
+        <translation>Die dem gewählten Punkt nächste Ecke; eine Zahl wählt eine andere</translation>
+    </message>
+    <message>
+        <source>The equations that the thesis misprints, as it prints them</source>
+        <translation>Die Gleichungen mit Druckfehlern so, wie die Arbeit sie druckt</translation>
+    </message>
+    <message>
+        <source>Matrices and equations</source>
+        <translation>Matrizen und Gleichungen</translation>
+    </message>
+    <message>
+        <source>Both sides of each equation at the vertex; lengths in units of the surface&apos;s size</source>
+        <translation>Beide Seiten jeder Gleichung an der Ecke; Längen in Einheiten der Größe der Fläche</translation>
+    </message>
+    <message>
+        <source>Click a point of the surface, or press P over its picture.</source>
+        <translation>Klicken Sie einen Punkt der Fläche an oder drücken Sie P über ihrem Bild.</translation>
+    </message>
+    <message>
+        <source>Curvature is still being estimated.</source>
+        <translation>Die Krümmung wird noch geschätzt.</translation>
+    </message>
+    <message>
+        <source>The normal is unknown here.</source>
+        <translation>Die Normale ist hier unbekannt.</translation>
+    </message>
+    <message>
+        <source>%1, the other %2</source>
+        <translation>%1, der andere %2</translation>
+    </message>
+    <message>
+        <source>feature %1, offset %2, perspective %3</source>
+        <translation>Merkmal %1, Versatz %2, Perspektive %3</translation>
+    </message>
+    <message>
+        <source>, as printed</source>
+        <translation>, wie gedruckt</translation>
+    </message>
+    <message>
+        <source>There are no principal directions here.</source>
+        <translation>Hier gibt es keine Hauptrichtungen.</translation>
+    </message>
+    <message>
+        <source>As printed</source>
+        <translation>Wie gedruckt</translation>
+    </message>
+    <message>
+        <source>Vertex</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>The line of sight</source>
+        <translation>Die Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>The derivative of curvature</source>
+        <translation>Die Ableitung der Krümmung</translation>
+    </message>
+    <message>
+        <source>Foreshortening</source>
+        <translation>Verkürzung</translation>
+    </message>
+    <message>
+        <source>The projection</source>
+        <translation>Die Projektion</translation>
+    </message>
+    <message>
+        <source>Back from the screen</source>
+        <translation>Zurück vom Schirm</translation>
+    </message>
+    <message>
+        <source>Lengths on the screen</source>
+        <translation>Längen auf dem Schirm</translation>
+    </message>
+    <message>
+        <source>View-dependent curvature</source>
+        <translation>Ansichtsabhängige Krümmung</translation>
+    </message>
+    <message>
+        <source>Where the normal turns most</source>
+        <translation>Wo die Normale sich am meisten dreht</translation>
+    </message>
+    <message>
+        <source>The direction of it</source>
+        <translation>Die Richtung davon</translation>
+    </message>
+    <message>
+        <source>A direction on the screen</source>
+        <translation>Eine Richtung auf dem Schirm</translation>
+    </message>
+    <message>
+        <source>How the normal turns along it</source>
+        <translation>Wie die Normale sich dort dreht</translation>
+    </message>
+    <message>
+        <source>What a unit vector cannot change</source>
+        <translation>Was ein Einheitsvektor nicht ändern kann</translation>
+    </message>
+    <message>
+        <source>What is left</source>
+        <translation>Was bleibt</translation>
+    </message>
+    <message>
+        <source>The derivative of K</source>
+        <translation>Die Ableitung von K</translation>
+    </message>
+    <message>
+        <source>The derivative of an inverse</source>
+        <translation>Die Ableitung einer Inversen</translation>
+    </message>
+    <message>
+        <source>The derivative of the projection</source>
+        <translation>Die Ableitung der Projektion</translation>
+    </message>
+    <message>
+        <source>The derivative of λ</source>
+        <translation>Die Ableitung von λ</translation>
+    </message>
+    <message>
+        <source>Feature plus offset</source>
+        <translation>Merkmal plus Versatz</translation>
+    </message>
+    <message>
+        <source>Seen from nearby</source>
+        <translation>Aus der Nähe gesehen</translation>
     </message>
 </context>
 <context>
@@ -4125,10 +4268,6 @@
         <translation>Keine Lektion ist offen</translation>
     </message>
     <message>
-        <source>The **Lesson** menu has three, and opens your own.</source>
-        <translation>Das Menü **Lektion** hat drei und öffnet eigene.</translation>
-    </message>
-    <message>
         <source>What the step says</source>
         <translation>Was der Schritt sagt</translation>
     </message>
@@ -4147,6 +4286,10 @@
     <message>
         <source> · undone: your own scene</source>
         <translation> · zurückgenommen: Ihre eigene Szene</translation>
+    </message>
+    <message>
+        <source>The **Lesson** menu has four, and opens your own.</source>
+        <translation>Das Menü **Lektion** hat vier und öffnet eigene.</translation>
     </message>
 </context>
 <context>
@@ -5687,6 +5830,124 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>%1°, arc length %2</source>
         <translation>%1°, Bogenlänge %2</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::TrianglePanel</name>
+    <message>
+        <source>The picked triangle; type a number to pick another</source>
+        <translation>Das gewählte Dreieck; eine Zahl wählt ein anderes</translation>
+    </message>
+    <message>
+        <source>What becomes of the triangle</source>
+        <translation>Was aus dem Dreieck wird</translation>
+    </message>
+    <message>
+        <source>(a) Where λ is compared, to both sides along t_A</source>
+        <translation>(a) Wo λ verglichen wird, zu beiden Seiten längs t_A</translation>
+    </message>
+    <message>
+        <source>(b) t_A, turned to where λ grows</source>
+        <translation>(b) t_A, dorthin gedreht, wo λ wächst</translation>
+    </message>
+    <message>
+        <source>(c) Where two directions disagree: crossings and the line</source>
+        <translation>(c) Wo zwei Richtungen sich widersprechen: Kreuzungen und die Linie</translation>
+    </message>
+    <message>
+        <source>(d) Perpendiculars: a maximum if all angles are acute</source>
+        <translation>(d) Lote: ein Maximum, wenn alle Winkel spitz sind</translation>
+    </message>
+    <message>
+        <source>Click a point of the surface, or press P over its picture.</source>
+        <translation>Klicken Sie einen Punkt der Fläche an oder drücken Sie P über ihrem Bild.</translation>
+    </message>
+    <message>
+        <source>by neighbours</source>
+        <translation>aus Nachbarn</translation>
+    </message>
+    <message>
+        <source>cos</source>
+        <translation>cos</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>At the corners</source>
+        <translation>An den Ecken</translation>
+    </message>
+    <message>
+        <source>At each corner λ, its derivative along t_A on the screen, the same from its neighbours, and the cosine between t_A and the perpendicular; ↔: flipped</source>
+        <translation>An jeder Ecke λ, seine Ableitung längs t_A auf dem Schirm, dieselbe aus den Nachbarn und der Kosinus zwischen t_A und dem Lot; ↔: umgedreht</translation>
+    </message>
+    <message>
+        <source>Dropped: a normal is unknown.</source>
+        <translation>Verworfen: Eine Normale ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Dropped: a sharp edge parts the surface here, and is itself the line.</source>
+        <translation>Verworfen: Eine scharfe Kante teilt hier die Fläche und ist selbst die Linie.</translation>
+    </message>
+    <message>
+        <source>Nothing here: all three directions agree.</source>
+        <translation>Nichts: Alle drei Richtungen stimmen überein.</translation>
+    </message>
+    <message>
+        <source>Dropped: a corner is turned away.</source>
+        <translation>Verworfen: Eine Ecke ist abgewandt.</translation>
+    </message>
+    <message>
+        <source>Dropped: one edge alone is crossed; t_A has a singular point here.</source>
+        <translation>Verworfen: Nur eine Kante wird gekreuzt; t_A hat hier einen singulären Punkt.</translation>
+    </message>
+    <message>
+        <source>Dropped: t_A turns too far from corner to corner.</source>
+        <translation>Verworfen: t_A dreht sich von Ecke zu Ecke zu weit.</translation>
+    </message>
+    <message>
+        <source>Dropped: √λ is below the threshold %1.</source>
+        <translation>Verworfen: √λ liegt unter der Schwelle %1.</translation>
+    </message>
+    <message>
+        <source>Dropped: a direction points away from the line, so it is a minimum.</source>
+        <translation>Verworfen: Eine Richtung zeigt von der Linie weg, also ist es ein Minimum.</translation>
+    </message>
+    <message>
+        <source>A maximum, but λ hardly falls beside it</source>
+        <translation>Ein Maximum, aber λ fällt daneben kaum</translation>
+    </message>
+    <message>
+        <source>A maximum: all directions point towards the line</source>
+        <translation>Ein Maximum: Alle Richtungen zeigen zur Linie</translation>
+    </message>
+    <message>
+        <source>%1. Drawn, as the triangle before it on the line.</source>
+        <translation>%1. Gezeichnet wie das Dreieck davor auf der Linie.</translation>
+    </message>
+    <message>
+        <source>%1. Dropped, as the triangle before it on the line.</source>
+        <translation>%1. Verworfen wie das Dreieck davor auf der Linie.</translation>
+    </message>
+    <message>
+        <source>%1. Kept.</source>
+        <translation>%1. Behalten.</translation>
+    </message>
+    <message>
+        <source>%1. Dropped.</source>
+        <translation>%1. Verworfen.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::TriangleView</name>
+    <message>
+        <source>The triangle</source>
+        <translation>Das Dreieck</translation>
+    </message>
+    <message>
+        <source>The picked triangle in its own plane. Bars: crossings; orange: t_A to where λ grows; dashed: as it came</source>
+        <translation>Das gewählte Dreieck in seiner Ebene. Kästchen: Kreuzungen; orange: t_A dorthin, wo λ wächst; gestrichelt: wie es kam</translation>
     </message>
 </context>
 <context>

@@ -3,28 +3,83 @@
 
 #include <QPainter>
 
+#include "core3d/study/surface_derivation.h"
+#include "ui/export/mark_style.h"
+#include "ui/model/theme.h"
+#include "ui/view3d/arrow.h"
+
 namespace flatland::ui {
 
 namespace {
 
 constexpr double kRingPx = 5.0;
+constexpr double kArrowShare = 0.22;  ///< of the surface's size: a direction on the surface
+constexpr double kArrowPx = 46.0;     ///< of a direction on the screen
+
+QColor colourOf(const Rgb& c) { return {c.r, c.g, c.b}; }
+
+/// What is drawn with: the ground below makes ink readable on any picture.
+struct Pens {
+  QColor ink, ground;
+  double scale;
+};
+
+/// The name stands beside the arrow at this share of its length.
+void paintNamedArrow(QPainter& painter, const QPointF& from, const QPointF& to, const Pens& pens,
+                     double width, double place, const QString& name) {
+  if (from == to) return;
+  paintArrow(painter, from, to, QPen(pens.ground, (width + 2.0) * pens.scale), pens.scale);
+  paintArrow(painter, from, to, QPen(pens.ink, width * pens.scale), pens.scale);
+  // Beside the arrow and not at its tip, where two that lie on each other would share the room.
+  const QPointF along = to - from;
+  const double length = std::hypot(along.x(), along.y());
+  const QPointF middle =
+      from + place * along + 13.0 * pens.scale / length * QPointF(along.y(), -along.x());
+  painter.drawText(QRectF(middle.x() - 20.0, middle.y() - 12.0, 40.0, 24.0), Qt::AlignCenter, name);
+}
+
+/// Principal directions on the surface, and t_A, which is a direction on the screen.
+void paintDirections(QPainter& painter, const SurfaceModels& models, const Projection& projection,
+                     const Eigen::Vector3d& at, const QPointF& middle, const Pens& pens) {
+  const SurfacePick& pick = models.pick;
+  const LoadedSurface& surface = *pick.surface();
+  const auto place = surfacePlaceAt(*surface.mesh, *surface.fields, projection.view(),
+                                    projection.axes.row(0), pick.vertex());
+  if (!place) return;
+  const QString names[] = {QStringLiteral("t₁"), QStringLiteral("t₂")};
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector3d end = at + kArrowShare * surface.fields->size * place->point.frame.col(i);
+    if (const auto px = projection.toScreen(end)) {
+      paintNamedArrow(painter, middle, {px->x(), px->y()}, pens, 1.5, 1.0, names[i]);
+    }
+  }
+  const SurfaceMatrices matrices = surfaceMatrices(*place);
+  if (!matrices.seen || matrices.tA.isZero()) return;
+  Pens orange = pens;
+  orange.ink = colourOf(styleOf(MarkKind::ApparentRidge, themePalette()).colour);
+  const QPointF tA = kArrowPx * pens.scale * QPointF(matrices.tA.x(), -matrices.tA.y());
+  paintNamedArrow(painter, middle, middle + tA, orange, 2.5, 0.5, QStringLiteral("t_A"));
+}
 
 }  // namespace
 
 void paintPick(QPainter& painter, const SurfaceModels& models, const Projection& projection) {
   const auto& hit = models.pick.hit();
   if (!hit) return;
-  const auto at = projection.toScreen(hit->at);
-  if (!at) return;
-  const double radius = kRingPx * models.display.uiScale();
-  const QPointF middle(at->x(), at->y());
+  const auto px = projection.toScreen(hit->at);
+  if (!px) return;
+  const Pens pens{painter.pen().color(), painter.background().color(), models.display.uiScale()};
+  const QPointF middle(px->x(), px->y());
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
-  const QColor ink = painter.pen().color();
-  painter.setPen(QPen(painter.background().color(), 4.0));
+  if (models.pick.surface()->fields) {
+    paintDirections(painter, models, projection, hit->at, middle, pens);
+  }
+  const double radius = kRingPx * pens.scale;
+  painter.setPen(QPen(pens.ground, 4.0 * pens.scale));
   painter.drawEllipse(middle, radius, radius);
-  painter.setPen(QPen(ink, 2.0));
+  painter.setPen(QPen(pens.ink, 2.0 * pens.scale));
   painter.drawEllipse(middle, radius, radius);
   painter.restore();
 }

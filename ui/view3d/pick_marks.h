@@ -8,8 +8,9 @@ class QPainter;
 
 namespace flatland::ui {
 
-/// Paints the picked place over the picture of the surface: a ring. Nothing where none is picked or
-/// it lies behind the viewer.
+/// Paints the picked place over the picture of the surface: a ring, the principal directions t1 and
+/// t2 as they are seen, and t_A, which is a direction on the screen, of the vertex nearest to it.
+/// Nothing where none is picked or it lies behind the viewer.
 void paintPick(QPainter& painter, const SurfaceModels& models, const Projection& projection);
 
 }  // namespace flatland::ui

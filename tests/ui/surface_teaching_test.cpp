@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chapters 4 and 5 at a picked point, in the real window, by mouse and keys.
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QSpinBox>
+#include <QTextBrowser>
+#include <QToolButton>
+
+#include "tests/ui/support_window.h"
+#include "ui/app/layouts.h"
+#include "ui/app/surface_controller.h"
+#include "ui/view3d/surface_area.h"
+#include "ui/view3d/triangle_view.h"
+
+using namespace flatland;
+using namespace flatland::ui;
+
+namespace {
+
+constexpr int kPatienceMs = 30000;
+
+}  // namespace
+
+class SurfaceTeachingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    driver_ = std::make_unique<WindowDriver>();
+    QVERIFY(driver_->ready());
+  }
+  void cleanup() { driver_.reset(); }
+
+  void theDerivationFollowsPickAndCamera() {
+    openSolid("bumpy-sphere:30");
+    auto& text = show<QTextBrowser>("surface-derivation", "derivation.text");
+    QVERIFY(text.toPlainText().contains("Click"));
+    const QPoint middle(surface().width() / 2, surface().height() / 2);
+    QTest::mouseClick(&surface(), Qt::LeftButton, {}, middle + QPoint(20, -30));
+    QVERIFY(pick().hit());
+    QVERIFY2(text.toPlainText().contains("(4.3) View-dependent curvature"),
+             qPrintable(text.toPlainText()));
+    QVERIFY(!text.toPlainText().contains("apart"));
+    QVERIFY(!text.toPlainText().contains("nan"));
+    QVERIFY(text.toPlainText().contains("both sides agree"));
+    QCOMPARE(d().child<QSpinBox>("derivation.vertex").value(), static_cast<int>(pick().vertex()));
+    // Turning the surface changes what is seen of it, not what it is.
+    const QString before = text.toHtml();
+    key(Qt::Key_Left);
+    const QString after = text.toHtml();
+    QVERIFY(before != after);
+    auto& printed = d().child<QCheckBox>("derivation.printed");
+    QTest::mouseClick(&printed, Qt::LeftButton, {}, {8, printed.height() / 2});
+    QVERIFY(text.toPlainText().contains(", as printed"));
+    QVERIFY(text.toPlainText().contains("apart"));
+    // Another vertex by its number.
+    auto& vertex = d().child<QSpinBox>("derivation.vertex");
+    vertex.setFocus();
+    vertex.selectAll();
+    QTest::keyClicks(&vertex, "17");
+    QTest::keyClick(&vertex, Qt::Key_Return);
+    QCOMPARE(pick().vertex(), 17u);
+    surface().setFocus();
+    key(Qt::Key_Escape);
+    QVERIFY(!pick().hit());
+    QVERIFY(text.toPlainText().contains("Click"));
+  }
+
+  void aTriangleIsTakenApart() {
+    openSolid("sine-sheet:24");
+    auto& words = show<QLabel>("triangle", "triangle.words");
+    auto& view = d().child<TriangleView>("triangle.view");
+    auto& number = d().child<QSpinBox>("triangle.number");
+    number.setFocus();
+    number.selectAll();
+    QTest::keyClicks(&number, "861");
+    QTest::keyClick(&number, Qt::Key_Return);
+    QVERIFY(pick().hit());
+    QCOMPARE(pick().hit()->triangle, 861u);
+    SurfaceCamera camera = d().scene().surface->camera;
+    camera.towards = Eigen::Vector3d(0.5, 0.0, 0.866).normalized();
+    d().document().setCamera(camera);
+    QTRY_VERIFY2_WITH_TIMEOUT(words.text().contains("Kept"), qPrintable(words.text()), kPatienceMs);
+    // Each stage is a button, by mouse and by key.
+    for (const char* id :
+         {"triangle.ring", "triangle.directions", "triangle.crossing", "triangle.perpendiculars"}) {
+      auto& button = d().child<QToolButton>(id);
+      QVERIFY(button.isChecked());
+      const QImage with = view.grab().toImage();
+      QTest::mouseClick(&button, Qt::LeftButton);
+      QVERIFY(!button.isChecked());
+      QVERIFY2(view.grab().toImage() != with, id);
+      button.setFocus();
+      QTest::keyClick(&button, Qt::Key_Space);
+      QVERIFY(button.isChecked());
+      QCOMPARE(view.grab().toImage(), with);
+    }
+    pick().pickTriangle(329);
+    QTRY_VERIFY2_WITH_TIMEOUT(words.text().contains("below the threshold 2"),
+                              qPrintable(words.text()), kPatienceMs);
+  }
+
+  void theLessonShowsThePlacesItNames() {
+    const Scene mine = d().scene();
+    d().window().lessons().openFile(":/lesson/lessons/surface.md");
+    LessonModel& lesson = d().window().lesson();
+    QVERIFY(lesson.isOpen());
+    QVERIFY(quiet());
+    QVERIFY(d().window().layouts().current() == Layouts::Kind::Surface);
+    QVERIFY(d().child<QDockWidget>("surface-derivation").isVisible());
+    QVERIFY(d().child<QDockWidget>("lesson").isVisible());
+    QVERIFY(pick().hit());
+    QCOMPARE(pick().vertex(), 6357u);
+    auto& text = d().child<QTextBrowser>("derivation.text");
+    QTRY_VERIFY_WITH_TIMEOUT(text.toPlainText().contains("both sides agree"), kPatienceMs);
+    auto& words = d().child<QLabel>("triangle.words");
+    QStringList verdicts;
+    while (lesson.index() + 1 < lesson.count()) {
+      QTest::mouseClick(&d().child<QToolButton>("lesson.next"), Qt::LeftButton);
+      QVERIFY(quiet());
+      QVERIFY2(pick().hit(), qPrintable(QString::fromStdString(lesson.step().title)));
+      if (lesson.step().state.panel == "triangle") {
+        const QString wanted = lesson.step().state.pick->number == 861 ? "Kept" : "minimum";
+        QTRY_VERIFY2_WITH_TIMEOUT(words.text().contains(wanted), qPrintable(words.text()),
+                                  kPatienceMs);
+        verdicts << wanted;
+      }
+    }
+    QCOMPARE(verdicts, QStringList({"Kept", "Kept", "minimum"}));
+    QTest::mouseClick(&d().child<QToolButton>("lesson.leave"), Qt::LeftButton);
+    d().settle();
+    QVERIFY(d().scene() == mine);
+    QVERIFY(!d().document().isModified());
+    QVERIFY(d().window().layouts().current() == Layouts::Kind::Work);
+    QVERIFY(!pick().hit());
+  }
+
+ private:
+  WindowDriver& d() { return *driver_; }
+  QWidget& surface() { return *d().window().surfaceArea().canvas(); }
+  SurfacePick& pick() { return d().window().surfaceModels().pick; }
+  template <class Widget>
+  Widget& show(const char* dock, const char* id) {
+    d().window().docks().show(dock);
+    d().settle();
+    return d().child<Widget>(id);
+  }
+  bool quiet() {
+    const SurfaceModels models = d().window().surfaceModels();
+    const bool done = QTest::qWaitFor(
+        [&models] { return !models.source.isBusy() && !models.seen.isStale(); }, kPatienceMs);
+    d().settle();
+    return done;
+  }
+  void openSolid(const char* name) {
+    d().window().surfaces().openSolid(name);
+    QVERIFY(quiet());
+    d().window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&d().window()));
+    surface().setFocus();
+  }
+  void key(Qt::Key k) {
+    surface().setFocus();
+    QTest::keyClick(&surface(), k);
+    d().settle();
+  }
+
+  std::unique_ptr<WindowDriver> driver_;
+};
+
+QTEST_MAIN(SurfaceTeachingTest)
+#include "surface_teaching_test.moc"

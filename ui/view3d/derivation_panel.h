@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "ui/model/surface_study.h"
+
+class QCheckBox;
+class QSpinBox;
+class QTextBrowser;
+
+namespace flatland::ui {
+
+/// Chapter 4 at the picked point, live while the camera moves: the matrices, and both sides of each
+/// equation with its residual, as printed or corrected. The vertex can be typed.
+class DerivationPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DerivationPanel(SurfaceStudy& study, QWidget* parent = nullptr);
+
+  QSize sizeHint() const override { return {360, 320}; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void refresh();
+  QString matrices(const SurfacePlace& place) const;
+  QString steps(const SurfacePlace& place) const;
+
+  SurfaceStudy& study_;
+  QSpinBox* vertex_;
+  QCheckBox* printed_;
+  QTextBrowser* text_;
+};
+
+/// "View-dependent curvature" in the person's language.
+QString titleForPeople(SurfaceStep step);
+
+}  // namespace flatland::ui
