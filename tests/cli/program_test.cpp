@@ -60,6 +60,34 @@ TEST(Program, HelpTeachesByExamples) {
             std::string::npos);
 }
 
+// Of the program and of every subcommand that a help lists, theirs too.
+TEST(Program, NoLineOfAnyHelpIsLongerThan100Letters) {
+  std::vector<std::vector<std::string>> commands{{}};
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    std::vector<std::string> arguments = commands[i];
+    arguments.push_back("--help");
+    const ProgramResult result = run(arguments);
+    ASSERT_EQ(result.exitCode, 0) << arguments.front();
+    std::istringstream help(result.out);
+    bool listed = false;
+    for (std::string line; std::getline(help, line);) {
+      EXPECT_LE(line.size(), 100U) << arguments.front() << ": " << line;
+      if (line.empty() || line.front() != ' ') {
+        listed = line == "Subcommands:";
+      } else if (listed && line.size() > 2 && line[2] != ' ') {
+        std::vector<std::string> deeper = commands[i];
+        deeper.push_back(line.substr(2, line.find(' ', 2) - 2));
+        commands.push_back(deeper);
+      }
+    }
+  }
+  EXPECT_NE(std::find(commands.begin(), commands.end(), std::vector<std::string>{"bridge"}),
+            commands.end());
+  EXPECT_NE(
+      std::find(commands.begin(), commands.end(), std::vector<std::string>{"study", "limits"}),
+      commands.end());
+}
+
 TEST(Program, TheExamplesOfTheHelpWork) {
   // Every example on a preset that needs no Qt, taken from the help itself.
   const TemporaryFolder folder;

@@ -55,11 +55,9 @@ std::string likelyOption(const CLI::App& app, int argc, const char* const* argv)
   return {};
 }
 
-}  // namespace
-
-std::string WrappedHelp::make_option_desc(const CLI::Option* option) const {
-  const std::size_t room = kLongestLine - get_column_width() - 1;
-  std::istringstream words(option->get_description());
+/// The words of a text in lines of at most `room` letters.
+std::string broken(const std::string& description, std::size_t room) {
+  std::istringstream words(description);
   std::string text;
   std::size_t inLine = 0;
   for (std::string word; words >> word;) {
@@ -74,6 +72,20 @@ std::string WrappedHelp::make_option_desc(const CLI::Option* option) const {
     inLine += word.size();
   }
   return text;
+}
+
+}  // namespace
+
+std::string WrappedHelp::make_option_desc(const CLI::Option* option) const {
+  return broken(option->get_description(), kLongestLine - get_column_width() - 1);
+}
+
+std::string WrappedHelp::make_subcommand(const CLI::App* command) const {
+  std::ostringstream out;
+  CLI::detail::format_help(out, command->get_display_name(true),
+                           broken(command->get_description(), kLongestLine - get_column_width()),
+                           get_column_width());
+  return out.str();
 }
 
 std::string likelyMeaning(const CLI::App& app, int argc, const char* const* argv) {

@@ -6,11 +6,12 @@
 
 namespace flatland::ui {
 
-/// Help whose lines are at most 100 letters long: what options say is broken at spaces, whatever
-/// line breaks it came with.
+/// Help whose lines are at most 100 letters long: what options and lists of subcommands say is
+/// broken at spaces, whatever line breaks it came with.
 class WrappedHelp : public CLI::Formatter {
  public:
   std::string make_option_desc(const CLI::Option* option) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
 };
 
 /// What a word that is no subcommand, or an option that the chosen subcommand has not, was meant to
