@@ -31,7 +31,7 @@ void addBridgeActions(QMenu& menu, const MenuParts& parts) {
        BridgeMenuWords::tr("Make the selected curve a surface that follows it: turned about an "
                            "axis beside it")},
       [&bridges] { bridges.sweep(SweptSurface::Kind::Revolution); });
-  QMenu& plane = addSubmenu(menu, "menu.surface.plane", BridgeMenuWords::tr("C&utting Plane"));
+  QMenu& plane = addSubmenu(menu, "menu.surface.plane", BridgeMenuWords::tr("Cuttin&g Plane"));
   addAction(
       plane,
       {"surface.plane.view", BridgeMenuWords::tr("Through the &View Direction"),

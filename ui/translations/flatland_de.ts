@@ -127,10 +127,6 @@
         <translation>Die gewählte Kurve zu einer Fläche machen, die ihr folgt: um eine Achse neben ihr gedreht</translation>
     </message>
     <message>
-        <source>C&amp;utting Plane</source>
-        <translation>Schnittebene</translation>
-    </message>
-    <message>
         <source>Through the &amp;View Direction</source>
         <translation>Durch die &amp;Blickrichtung</translation>
     </message>
@@ -153,6 +149,10 @@
     <message>
         <source>Put the section in the place of the scene&apos;s curves</source>
         <translation>Den Schnitt an die Stelle der Kurven der Szene setzen</translation>
+    </message>
+    <message>
+        <source>Cuttin&amp;g Plane</source>
+        <translation>Schnittebene</translation>
     </message>
 </context>
 <context>
@@ -3116,6 +3116,14 @@
         <source>The curve that the surface was swept from is gone.</source>
         <translation>Die Kurve, aus der die Fläche entstand, ist nicht mehr da.</translation>
     </message>
+    <message>
+        <source>Why the views are not linked</source>
+        <translation>Warum die Ansichten nicht verknüpft sind</translation>
+    </message>
+    <message>
+        <source>How prediction and lines agree</source>
+        <translation>Wie Vorhersage und Linien übereinstimmen</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::BridgeStudy</name>
@@ -5134,6 +5142,14 @@
     <message>
         <source>automatic</source>
         <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>The section</source>
+        <translation>Der Schnitt</translation>
+    </message>
+    <message>
+        <source>Why the pair differs</source>
+        <translation>Warum das Paar sich unterscheidet</translation>
     </message>
 </context>
 <context>

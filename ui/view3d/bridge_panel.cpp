@@ -35,8 +35,11 @@ BridgePanel::BridgePanel(const CanvasModels& models, Bridges& bridges, QWidget* 
   addSwitches(*form);
   why_ = new QLabel(this);
   why_->setObjectName("bridge.why");
+  why_->setAccessibleName(tr("Why the views are not linked"));
+  why_->setToolTip(why_->accessibleName());
   agreement_ = new QLabel(this);
   agreement_->setObjectName("bridge.agreement");
+  agreement_->setAccessibleName(tr("How prediction and lines agree"));
   agreement_->setToolTip(
       tr("Median distance of the lines found from those that flatland predicts, in edges of the "
          "mesh, and how much of the predicted lines was found"));

@@ -48,9 +48,12 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
   layout->addWidget(open_);
   state_ = new QLabel(this);
   state_->setObjectName("section.state");
+  state_->setAccessibleName(tr("The section"));
   sentence_ = new QLabel(this);
   sentence_->setObjectName("section.sentence");
+  sentence_->setAccessibleName(tr("Why the pair differs"));
   for (QLabel* label : {state_, sentence_}) {
+    label->setToolTip(label->accessibleName());
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
