@@ -38,7 +38,7 @@ struct StrokeOptions {
   bool hidden = false;  ///< hidden strokes are kept (visible = false), else removed
   /// A stroke that reaches the family's threshold somewhere is followed down to this share of it.
   double hysteresis = 0.6;
-  double minLengthPx = 6.0;  ///< strokes shorter on the screen are dropped, except contours' loops
+  double minLengthPx = 6.0;  ///< shorter ones are dropped, but whole outlines of parts
   /// A stroke of a family with a threshold is dropped if its length, weighed by how many times the
   /// threshold its strength is (at most 3), is less: short strokes have to be strong. So is the rim
   /// of a hole that is shorter, unless there is background behind it.

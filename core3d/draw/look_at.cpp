@@ -54,6 +54,16 @@ class Looker {
     return outline ? Seen::Outline : Seen::Visible;
   }
 
+  // True if there is background beside every place of a loop.
+  bool isWholeOutline(const ScreenChain& line) {
+    for (double place = 0.5; place < line.length() + 0.5; place += 1.0) {
+      const ScreenChain::Point p = line.at(place);
+      const SightPoint point{p.at, line.chain.triangles[p.piece], true};
+      if (!isOutline(line, p, point, kBesidePx * unitsPerPx(p.at))) return false;
+    }
+    return true;
+  }
+
   std::size_t rays() const { return rays_; }
 
  private:
@@ -197,6 +207,9 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
       chains[i].stretches =
           stretchesOf(line, strokes.smallestGapPx,
                       [&](const ScreenChain::Point& p) { return looker.look(line, p); });
+      chains[i].outlineOfPart = line.chain.family == LineFamily::OccludingContours &&
+                                line.chain.closed && line.length() < strokes.minLengthPx &&
+                                looker.isWholeOutline(line);
     }
     rays += looker.rays();
   };

@@ -10,10 +10,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-bool isContour(LineFamily family) {
-  return family == LineFamily::OccludingContours || family == LineFamily::ExteriorSilhouette;
-}
-
 double distanceToPiece(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   const Vector2d d = b - a;
   const double sq = d.squaredNorm();
@@ -192,7 +188,7 @@ std::vector<StrokePart> strokeParts(const SeenChain& chain, std::size_t index,
     if (whole && chain.stretches.size() == 1) {
       const Seen seen = chain.stretches.front().seen;
       const bool kept =
-          length >= filter.minLengthPx || (isContour(line.chain.family) && seen != Seen::Hidden);
+          length >= filter.minLengthPx || (chain.outlineOfPart && seen != Seen::Hidden);
       if (kept) parts.push_back({index, 0.0, length, seen, true});
       continue;
     }

@@ -13,6 +13,8 @@ namespace flatland {
 struct SeenChain {
   ScreenChain line;
   std::vector<Stretch> stretches;  ///< as stretchesOf gives them
+  /// Of a contour's loop shorter than StrokeOptions::minLengthPx: with background all round.
+  bool outlineOfPart = false;
 };
 
 /// A part of a chain that is drawn as one stroke.
@@ -40,9 +42,9 @@ std::vector<std::pair<double, double>> strongStretches(const ScreenChain& chain,
                                                        double hysteresis);
 
 /// The strokes of chain number `index`: its strong stretches, cut where visibility changes.
-/// Stretches and cut strokes shorter than the filter's length are dropped; a closed contour that is
-/// kept whole and visible stays whatever its length. Raising the threshold never adds a stroke or
-/// lengthens one.
+/// Stretches and cut strokes shorter than the filter's length are dropped; a closed contour
+/// that is the whole outline of a part stays whatever its length. Raising the threshold never adds
+/// a stroke or lengthens one.
 std::vector<StrokePart> strokeParts(const SeenChain& chain, std::size_t index,
                                     const StrokeFilter& filter, double hysteresis);
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core3d/mesh/build_mesh.h"
 #include "core3d/mesh/solids.h"
@@ -175,6 +176,23 @@ TEST(Camera, BallKeepsSizeAndPlaceWhenTurned) {
     }
     // Not smaller than needed: from some side the longest half axis nearly touches.
     EXPECT_LT(nearest, 0.1 * camera.height);
+  }
+}
+
+TEST(Camera, OutlineOfABallTouchesTheMargin) {
+  for (const std::optional<double> angle :
+       {std::optional<double>(), std::optional(20.0), std::optional(90.0)}) {
+    Camera camera;
+    camera.perspectiveDeg = angle;
+    const Projection projection = projectionOfBall(camera, 0.7);
+    double farthest = 0.0;
+    for (int i = 0; i <= 2000; ++i) {  // from the pole that is nearest to the viewer to the other
+      const double turn = 3.14159265 * i / 2000.0;
+      const auto p = projection.toScreen({0.7 * std::sin(turn), 0.0, 0.7 * std::cos(turn)});
+      ASSERT_TRUE(p);
+      farthest = std::max(farthest, p->x() - camera.width / 2.0);
+    }
+    EXPECT_NEAR(farthest, camera.height / 2.0 - camera.margin, 0.01);
   }
 }
 

@@ -209,6 +209,64 @@ TEST(Outline, OfACanIsClosed) {
   }
 }
 
+// Adds a sphere, 6 x 12 cells and poles.
+void addBall(PolygonSoup& soup, const Vector3d& centre, double radius) {
+  constexpr std::uint32_t kAround = 12, kUp = 6;
+  const auto first = static_cast<std::uint32_t>(soup.vertexCount());
+  for (std::uint32_t i = 0; i <= kUp; ++i) {
+    const double rise = std::numbers::pi * i / kUp;
+    for (std::uint32_t k = 0; k < (i % kUp == 0 ? 1 : kAround); ++k) {
+      const double turn = 2.0 * std::numbers::pi * k / kAround;
+      const Vector3d p =
+          centre + radius * Vector3d(std::sin(rise) * std::cos(turn),
+                                     std::sin(rise) * std::sin(turn), std::cos(rise));
+      soup.addVertex(p.x(), p.y(), p.z());
+    }
+  }
+  const auto at = [&](std::uint32_t i, std::uint32_t k) {
+    if (i == 0) return first;
+    return first + 1 + (i - 1) * kAround + (i == kUp ? 0 : k % kAround);
+  };
+  for (std::uint32_t i = 0; i < kUp; ++i) {
+    for (std::uint32_t k = 0; k < kAround; ++k) {
+      if (i > 0) soup.addTriangle(at(i, k), at(i + 1, k), at(i, k + 1));
+      if (i + 1 < kUp) soup.addTriangle(at(i, k + 1), at(i + 1, k), at(i + 1, k + 1));
+    }
+  }
+}
+
+TEST(Outline, OfASpeckIsDrawnBesideAPartAndNotOnIt) {
+  // 1 px is 1 / 280 of the large ball's radius, about; the specks' outlines are 4 px long.
+  const auto strokes = [](const Vector3d& speck) {
+    PolygonSoup soup;
+    addBall(soup, Vector3d::Zero(), 1.0);
+    addBall(soup, speck, 0.0025);
+    const TriangleMesh mesh = buildMesh(soup).mesh;
+    const SurfaceFields fields = estimateFields(mesh);
+    LineOptions lines;
+    lines[LineFamily::OccludingContours] = true;
+    const Projection projection = projectionOf(Camera(), mesh);
+    return Draughtsman(mesh, fields).draw(projection, lines, StrokeOptions()).polylines.size();
+  };
+  EXPECT_EQ(strokes({1.2, 0.1, 0.0}), 2u);
+  EXPECT_EQ(strokes({0.3, 0.1, 1.5}), 1u);
+}
+
+TEST(Outline, OfASheetIsItsBorder) {
+  PolygonSoup soup;
+  for (const double y : {0.0, 1.0}) {
+    for (const double x : {0.0, 1.0}) soup.addVertex(x, y, 0.0);
+  }
+  soup.addTriangle(0, 1, 3);
+  soup.addTriangle(0, 3, 2);
+  const TriangleMesh mesh = buildMesh(soup).mesh;
+  for (const double side : {1.0, -1.0}) {
+    Camera camera;
+    camera.towards = {0.2, 0.1, side};
+    EXPECT_EQ(outlineOf(mesh, camera, LineFamily::ExteriorSilhouette).bare, 0.0) << side;
+  }
+}
+
 using OutlineData = ExampleMeshes;
 
 TEST_F(OutlineData, OfScansAndMachinePartsIsClosed) {

@@ -95,6 +95,25 @@ TEST(Stretches, ShortOnesTakeTheirNeighboursAnswer) {
       9u);
 }
 
+TEST(Stretches, TheLongerNeighbourIsTakenOnEitherSide) {
+  const ScreenChain chain = straight(std::vector<float>(101, 1.0f));
+  const auto smoothed = [&](std::vector<Stretch> stretches) {
+    smoothStretches(stretches, chain, 3.0);
+    return stretches;
+  };
+  using enum Seen;
+  auto result = smoothed({{0.0, 60.0, Outline}, {60.0, 62.0, Hidden}, {62.0, 100.0, Visible}});
+  ASSERT_EQ(result.size(), 2u);
+  EXPECT_EQ(result[0].to, 62.0);
+  result = smoothed({{0.0, 40.0, Outline}, {40.0, 42.0, Hidden}, {42.0, 100.0, Visible}});
+  ASSERT_EQ(result.size(), 2u);
+  EXPECT_EQ(result[0].to, 40.0);
+  // What is covered only beside what is hidden is hidden too.
+  result = smoothed({{0.0, 60.0, Outline}, {60.0, 62.0, Covered}, {62.0, 100.0, Hidden}});
+  ASSERT_EQ(result.size(), 2u);
+  EXPECT_EQ(result[0].to, 60.0);
+}
+
 TEST(Stretches, GoRoundAClosedChain) {
   const ScreenChain chain = ring(std::vector<float>(200, 1.0f));
   // Hidden where x > 0: half of the ring, over the start.
@@ -257,7 +276,7 @@ TEST(Strokes, NeverGrowWithTheThreshold) {
   }
 }
 
-TEST(Strokes, CrumbsGoAndContoursLoopsStay) {
+TEST(Strokes, CrumbsGoAndOutlinesOfPartsStay) {
   SeenChain chain{straight(std::vector<float>(101, 1.0f)), {}};
   chain.stretches = seenBut(chain.line, {{4.0, 50.0}, {55.0, 60.0}}, 3.0);
   const auto parts = strokeParts(chain, 7, {0.5, 6.0}, 0.6);
@@ -270,8 +289,79 @@ TEST(Strokes, CrumbsGoAndContoursLoopsStay) {
   loop.stretches = seenBut(loop.line, {}, 3.0);
   EXPECT_TRUE(strokeParts(loop, 0, {0.0, 6.0}, 0.6).empty());
   loop.line.chain.family = LineFamily::OccludingContours;
+  EXPECT_TRUE(strokeParts(loop, 0, {0.0, 6.0}, 0.6).empty());
+  loop.outlineOfPart = true;
   ASSERT_EQ(strokeParts(loop, 0, {0.0, 6.0}, 0.6).size(), 1u);
   EXPECT_TRUE(strokeParts(loop, 0, {0.0, 6.0}, 0.6).front().closed);
+}
+
+TEST(Strokes, WhereALoopStartsDoesNotMatter) {
+  constexpr int n = 60;
+  std::vector<float> usual(n, 0.0f);  // two stretches that are strong, one of them over the start
+  for (int i = 0; i < n; ++i) usual[i] = i < 20 || i > 50 ? 10.0f : i > 28 && i < 41 ? 8.0f : 0.0f;
+  for (int turned = 0; turned < n; ++turned) {
+    std::vector<float> strength = usual;
+    std::rotate(strength.begin(), strength.begin() + turned, strength.end());
+    SeenChain chain{ring(strength), {}};
+    const double length = chain.line.length(), back = length * turned / n;
+    // Hidden from 55 to 65 and from 75 to 90 hundredths, over the start for some.
+    double place = 0.55 * length - back;
+    if (place < 0.0) place += length;
+    chain.stretches = {{place, place + 0.1 * length, Seen::Hidden},
+                       {place + 0.1 * length, place + 0.2 * length, Seen::Visible},
+                       {place + 0.2 * length, place + 0.35 * length, Seen::Hidden},
+                       {place + 0.35 * length, place + length, Seen::Visible}};
+    for (Stretch& s : chain.stretches) {
+      const double round = s.from >= length ? length : 0.0;
+      s.from -= round;
+      s.to -= round;
+    }
+    std::sort(chain.stretches.begin(), chain.stretches.end(),
+              [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+    std::vector<double> hidden, visible;
+    for (const StrokePart& part : strokeParts(chain, 0, {5.0, 6.0}, 0.6)) {
+      EXPECT_GE(part.from, 0.0) << turned;
+      EXPECT_LT(part.from, length) << turned;
+      (part.seen == Seen::Hidden ? hidden : visible).push_back((part.to - part.from) / length);
+    }
+    std::sort(hidden.begin(), hidden.end());
+    std::sort(visible.begin(), visible.end());
+    // Strong down to 0.6 of 5: from 28.4 to 40.6 and from 50.3 to 79.7, of 60.
+    const double first = (28.0 + 3.0 / 8.0) / n, last = (41.0 - 3.0 / 8.0) / n;
+    const double start = 50.3 / n, end = 79.7 / n;
+    std::vector<double> hiddenThen = {0.65 - 0.55, 0.9 - start};
+    std::vector<double> visibleThen = {0.55 - first, last - 0.65, end - 0.9};
+    std::sort(hiddenThen.begin(), hiddenThen.end());
+    std::sort(visibleThen.begin(), visibleThen.end());
+    ASSERT_EQ(hidden.size(), hiddenThen.size()) << turned;
+    ASSERT_EQ(visible.size(), visibleThen.size()) << turned;
+    for (std::size_t i = 0; i < hidden.size(); ++i) EXPECT_NEAR(hidden[i], hiddenThen[i], 1e-6);
+    for (std::size_t i = 0; i < visible.size(); ++i) EXPECT_NEAR(visible[i], visibleThen[i], 1e-6);
+  }
+}
+
+TEST(Strokes, WhatFollowsOverTheStartOfALoopIsOneLine) {
+  SeenChain chain{ring(std::vector<float>(60, 1.0f)), {}};
+  const double length = chain.line.length();
+  chain.stretches = {{0.0, 4.0, Seen::Visible},
+                     {4.0, length - 4.0, Seen::Hidden},
+                     {length - 4.0, length, Seen::Outline}};
+  EXPECT_EQ(strokeParts(chain, 0, {0.0, 6.0}, 0.6).size(), 3u);
+  EXPECT_EQ(strokeParts(chain, 0, {0.0, 9.0}, 0.6).size(), 1u);
+}
+
+TEST(Strokes, APartOfAPieceWeighsByItsOwnStrength) {
+  // From 1.5 at 7.5 px to 6 at 30: the integral of 0.2 x / 3 is 28.125.
+  const SeenChain chain{straight({0.0f, 6.0f}, 30.0), {{0.0, 30.0, Seen::Visible}}};
+  const auto count = [&](double weight) {
+    StrokeFilter filter;
+    filter.threshold = 3.0;
+    filter.unitStrength = 3.0;
+    filter.minWeightPx = weight;
+    return strokeParts(chain, 0, filter, 0.5).size();
+  };
+  EXPECT_EQ(count(28.0), 1u);
+  EXPECT_EQ(count(28.3), 0u);
 }
 
 TEST(Strokes, PinholesGoAndHolesStay) {
@@ -336,6 +426,23 @@ TEST(Strokes, WhatStandsOutIsJudgedAlongTheLine) {
   const auto half = judged([](int i) { return i < 100; });
   EXPECT_EQ(half[80], 10.0f);
   EXPECT_EQ(half[120], 0.0f);
+}
+
+TEST(Strokes, WhatStandsOutIsJudgedRoundALoop) {
+  constexpr int n = 200;
+  const auto judged = [](int first) {  // three pieces stand out
+    LineChain chain = ring(std::vector<float>(n, 10.0f)).chain;
+    chain.standsOut.assign(n, false);
+    for (int i = first; i < first + 3; ++i) chain.standsOut[i % n] = true;
+    return onScreen(std::move(chain), flatProjection()).front().judged;
+  };
+  const auto usual = judged(100);
+  EXPECT_GT(usual[102], 1.0f);
+  for (int first = n - 15; first < n + 15; ++first) {
+    const auto turned = judged(first % n);
+    for (int i = 0; i < n; ++i)
+      EXPECT_NEAR(turned[(i + first) % n], usual[(i + 100) % n], 1e-3f) << first << " " << i;
+  }
 }
 
 ScreenChain piece(const Vector2d& from, const Vector2d& to, float z = 0.0f) {
@@ -480,6 +587,11 @@ TEST(Simplify, StaysWithinTheTolerance) {
     }
     EXPECT_GE(kept.size(), closed ? 3u : 2u);
   }
+}
+
+TEST(Simplify, KeepsTheFarthestPointOfALoop) {
+  const ScreenChain loop = ring(std::vector<float>(8, 1.0f));
+  EXPECT_EQ(simplified(loop.screen, true, 1000.0), (std::vector<std::size_t>{0, 4}));
 }
 
 TEST(Simplify, CarriesPointsAndStrengthAlong) {
