@@ -208,7 +208,7 @@ std::vector<StrokePart> strokeParts(const SeenChain& chain, std::size_t index,
     }
     dropCrumbs(cut, whole, filter.minLengthPx);
     for (StrokePart& part : cut) {
-      const double back = part.from < 0.0 ? -length : part.from >= length ? length : 0.0;
+      const double back = part.from >= length ? length : 0.0;
       part.from -= back;
       part.to -= back;
       parts.push_back(part);
