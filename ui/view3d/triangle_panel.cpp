@@ -97,8 +97,8 @@ TrianglePanel::TrianglePanel(SurfaceStudy& study, const Display& display, QWidge
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->addLayout(row);
-  layout->addWidget(view_, 1);
   layout->addWidget(words_);
+  layout->addWidget(view_, 1);
   layout->addWidget(numbers_);
   connect(&study_, &SurfaceStudy::changed, this, &TrianglePanel::refresh);
   connect(&study_, &SurfaceStudy::lessonChanged, this, &TrianglePanel::refresh);

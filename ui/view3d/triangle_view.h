@@ -29,7 +29,7 @@ class TriangleView : public QWidget {
   void setShown(TriangleStage stage, bool shown);
   bool isShown(TriangleStage stage) const { return shown_[static_cast<std::size_t>(stage)]; }
 
-  QSize sizeHint() const override { return {320, 260}; }
+  QSize sizeHint() const override { return {320, 130}; }
   QSize minimumSizeHint() const override { return {160, 120}; }
 
  protected:
