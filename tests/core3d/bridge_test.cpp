@@ -66,13 +66,22 @@ TEST(BridgePrediction, CirclesOfRevolutionsAreMaximaWhereTheMeridianWins) {
   Random random(announcedSeed("circles", 62));
   int checked = 0, lost = 0;
   for (int i = 0; i < 60; ++i) {
-    const SweptSurface surface{randomCurve(random, 0.7), SweptSurface::Kind::Revolution, 0.2};
+    const double axis = i % 3 ? 0.2 : -0.6;
+    const SweptSurface surface{randomCurve(random, 0.7), SweptSurface::Kind::Revolution, axis};
     const Eigen::Vector3d w(0.0, i % 2 ? 1.0 : -1.0, 0.0);
     const BridgePrediction prediction(surface, {.towards = w, .eye = {}});
     for (const PredictedLine& line : prediction.lines()) {
       if (line.kind != MarkKind::ApparentRidge) continue;
       if (line.t < 1e-3 || line.t > 1 - 1e-3 || std::abs(line.facing) < 1e-2) continue;
       const BridgeLimit limit = prediction.limitOf(line, {});
+      if (limit == BridgeLimit::FacesAway) continue;
+      const SurfacePoint point = revolvedPoint(surface.curve, axis, line.t, 0.0);
+      const double parallel = std::pow(point.n.x() / (point.p.x() - axis), 2);
+      EXPECT_EQ(limit == BridgeLimit::ParallelWins, line.lambda < 1.2 * parallel);
+      for (const Eigen::Vector3d& p : line.points) {
+        EXPECT_NEAR(std::hypot(p.x() - axis, p.z()), point.p.x() - axis, 1e-9);
+        EXPECT_NEAR(prediction.distance(line, p), 0.0, 1e-9);
+      }
       if (limit == BridgeLimit::ParallelWins) ++lost;
       if (limit != BridgeLimit::None) continue;
       expectMaximum(prediction, line);
@@ -100,6 +109,10 @@ TEST(BridgePrediction, SaysWhenThereIsNoFlatView) {
       flatViewOf(extruded, {.towards = Eigen::Vector3d(0, 1, 5).normalized(), .eye = {}})
           .view->angleDeg,
       90.0);
+  EXPECT_EQ(flatViewOf(revolved, {.towards = Eigen::Vector3d(0, 3, 0), .eye = {}}).view->angleDeg,
+            90.0);
+  EXPECT_EQ(flatViewOf(revolved, {.towards = Eigen::Vector3d(0, -3, 0), .eye = {}}).view->angleDeg,
+            -90.0);
 }
 
 TEST(BridgePrediction, NamesWhatCannotHold) {

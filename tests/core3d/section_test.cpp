@@ -60,6 +60,53 @@ TEST(Section, TellsByHowMuchTheDirectionLeavesThePlane) {
   }
 }
 
+TEST(Section, TheDirectionHasNoSign) {
+  // t_A points away from the axis, so it differs from corner to corner.
+  const SolidModel bump =
+      modelOf({SolidKind::GaussianBump, 2.0, 4.0}, {.cells = 60, .irregular = true});
+  const SurfaceView view{.towards = Vector3d::UnitZ(), .eye = {}};
+  const CutPlane plane = planeAcross({0, 0.5, 0}, Vector3d::UnitY(), view.towards);
+  const SliceLine line = sliceMesh(bump.mesh, plane).lines.at(0);
+  std::size_t at = 0;
+  while (at + 1 < line.triangles.size() && line.points[at].at.head<2>().norm() > kRidgeOfBump) ++at;
+  const std::uint32_t triangle = line.triangles[at];
+  const auto before = offPlaneDeg(bump.mesh, bump.fields, view, plane, triangle);
+  ASSERT_TRUE(before);
+  EXPECT_NEAR(*before, std::asin(0.5 / kRidgeOfBump) * 180.0 / std::acos(-1.0), 3.0);
+  // One corner after the other with its frame turned half round: the same surface.
+  for (const std::uint32_t v : bump.mesh.triangles[triangle]) {
+    SurfaceFields turned = bump.fields;
+    SurfacePoint point = turned.at(bump.mesh, v);
+    point.frame = -point.frame;
+    for (double& c : point.C.coefficients) c = -c;
+    turned.set(v, point);
+    const auto after = offPlaneDeg(bump.mesh, turned, view, plane, triangle);
+    ASSERT_TRUE(after);
+    EXPECT_NEAR(*after, *before, 1e-3);
+  }
+}
+
+TEST(Section, AMarkIsJudgedWhereItLies) {
+  const SolidModel bump =
+      modelOf({SolidKind::GaussianBump, 2.0, 4.0}, {.cells = 150, .irregular = true});
+  const SurfaceView view{.towards = Vector3d::UnitZ(), .eye = {}};
+  constexpr double kBeside = 0.5;
+  const CutPlane plane = planeAcross({0, kBeside, 0}, Vector3d::UnitY(), view.towards);
+  const Section section = sectionOf(bump.mesh, plane, 2e-3);
+  const SectionMarks compared = compareSection(section, bump.mesh, bump.fields, view, {});
+  int checked = 0;
+  for (const SectionMark& mark : compared.marks) {
+    const double radius = mark.at.head<2>().norm();
+    if (mark.mark.kind != MarkKind::ApparentRidge || std::abs(radius - kRidgeOfBump) > 0.3)
+      continue;
+    // t_A points away from the axis.
+    ASSERT_TRUE(mark.offPlaneDeg);
+    EXPECT_NEAR(*mark.offPlaneDeg, std::asin(kBeside / radius) * 180.0 / std::acos(-1.0), 2.0);
+    ++checked;
+  }
+  EXPECT_EQ(checked, 2);
+}
+
 TEST(Section, AlongTheRidgeAtAPickedPlace) {
   const SolidModel sheet =
       modelOf({SolidKind::SineSheet, 0.5, 2.0, 3.0}, {.cells = 60, .irregular = false});
