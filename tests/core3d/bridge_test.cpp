@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core3d/mesh/build_mesh.h"
 #include "core3d/study/bridge.h"
 #include "flatland/curve/bspline.h"
 #include "tests/support/seed.h"
@@ -149,6 +150,60 @@ TEST(BridgePrediction, NamesWhatCannotHold) {
   for (std::size_t i = 0; i < kBridgeLimitCount; ++i) {
     EXPECT_FALSE(reasonOf(static_cast<BridgeLimit>(i)).empty());
   }
+}
+
+TEST(BridgePrediction, RidgesNearASilhouetteAreNotHeld) {
+  // y = 1 - x^2 from the side: n.w = 2x / sqrt(1 + 4x^2).
+  const BridgePrediction side(
+      {BezierChain(2, false, {{-1, 0}, {0, 2}, {1, 0}}), SweptSurface::Kind::Extrusion, 1.0},
+      {.towards = Eigen::Vector3d::UnitX(), .eye = {}});
+  EXPECT_EQ(side.limitAt(MarkKind::ApparentRidge, 0.495, {}), BridgeLimit::FacesAway);
+  EXPECT_EQ(side.limitAt(MarkKind::ApparentRidge, 0.505, {}), BridgeLimit::SilhouetteNear);
+  EXPECT_EQ(side.limitAt(MarkKind::ApparentRidge, 0.525, {}), BridgeLimit::None);
+}
+
+TEST(Bridge, PiecesAreJudgedByTheirPlaceOnTheCurve) {
+  // Near a circle, from above: it faces away beyond t = 2, up to the seam.
+  std::vector<Vec2> points;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = std::acos(-1.0) / 6.0 * i, radius = i % 3 == 0 ? 1.0 : 1.14;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  const BridgePrediction prediction(
+      {BezierChain(3, true, points), SweptSurface::Kind::Extrusion, 2.0},
+      {.towards = Eigen::Vector3d(0.15, 1.0, 0.0).normalized(), .eye = {}});
+  const SweptMesh swept = sweptMesh(prediction.surface(), 12);
+  const TriangleMesh mesh = buildMesh(swept.soup).mesh;
+  FeatureLines found;
+  double away = 0.0, total = 0.0;
+  for (std::uint32_t f = 0; f < mesh.triangleCount(); ++f) {
+    const auto& corners = mesh.triangles[f];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double shares[] = {0.7, 0.2, 0.1};
+      Eigen::Vector3f at = Eigen::Vector3f::Zero();
+      double t = 0.0, highest = 0.0;
+      for (const std::uint32_t v : corners)
+        highest = std::max(highest, swept.parameters[mesh.fileVertex[v]]);
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::uint32_t v = corners[(k + j) % 3];
+        const double own = swept.parameters[mesh.fileVertex[v]];
+        at += static_cast<float>(shares[j]) * mesh.position(v);
+        t += shares[j] * (highest - own > 2.0 ? own + 4.0 : own);
+      }
+      const Eigen::Vector3f way(0.0f, 0.0f, 1e-3f);
+      found.of(LineFamily::ApparentRidges)
+          .push_back({{at - way, 1.0f, {}}, {at + way, 1.0f, {}}, f});
+      total += 1.0;
+      const BridgeLimit limit =
+          prediction.limitAt(MarkKind::ApparentRidge, t > 4.0 ? t - 4.0 : t, {});
+      if (limit == BridgeLimit::FacesAway) away += 1.0;
+    }
+  }
+  const BridgeRow row = compareLines(prediction, swept, mesh, 1.0, found);
+  double all = 0.0;
+  for (const double length : row.ridges.lengthBy) all += length;
+  EXPECT_NEAR(row.ridges.lengthBy[static_cast<std::size_t>(BridgeLimit::FacesAway)] / all,
+              away / total, 1e-4);
 }
 
 TEST(Bridge, ComesNearerWithFinerMeshes) {
