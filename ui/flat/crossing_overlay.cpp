@@ -16,7 +16,13 @@ CrossingOverlay::CrossingOverlay(const Bridges& bridges, const Viewport& viewpor
   resize(canvas.size());
   canvas.installEventFilter(this);
   const auto repaint = qOverload<>(&QWidget::update);
-  connect(&bridges_.section, &SectionSource::changed, this, repaint);
+  // Hidden without a section: the canvas below is not painted again for an overlay with nothing.
+  const auto show = [this] {
+    setVisible(bridges_.section.isInFlatland());
+    update();
+  };
+  show();
+  connect(&bridges_.section, &SectionSource::changed, this, show);
   connect(&viewport_, &Viewport::changed, this, repaint);
   connect(&display_, &Display::changed, this, repaint);
 }

@@ -34,8 +34,8 @@ struct VertexColours {
 
 /// The colours of a quantity seen from a view. The ends of the scale are the values that all but
 /// two in a hundred vertices stay within, of what depends on the view those that are turned well to
-/// the viewer; of lambda, whose scale is logarithmic, two in a hundred at either end. Curvatures are
-/// made dimensionless by the size of the surface.
+/// the viewer; of lambda, whose scale is logarithmic, two in a hundred at either end. Curvatures
+/// are made dimensionless by the size of the surface.
 VertexColours vertexColours(const TriangleMesh& mesh, const SurfaceFields& fields,
                             const SurfaceView& view, SurfaceQuantity quantity);
 
