@@ -186,6 +186,33 @@ class BridgingTest : public QObject {
     QVERIFY(agrees());
   }
 
+  void aHeightOfNothingIsNotTaken() {
+    extrude();
+    WindowDriver& d = *driver_;
+    d.child<QDoubleSpinBox>("bridge.amount").setValue(0.0);
+    QVERIFY(quiet());
+    QVERIFY(d.scene().surface->swept->amount > 0.0);
+    QVERIFY(source().surface());
+    const Scene mine = d.scene();
+    QVERIFY(d.window().files().saveTo(d.path("flat.json")));
+    d.trigger("file.new");
+    d.window().files().openFile(d.path("flat.json"));
+    QVERIFY(quiet());
+    QVERIFY(d.scene() == mine);
+  }
+
+  void undoOfAKindBringsItsCameraBack() {
+    extrude();
+    const SurfaceCamera seen = camera();
+    driver_->trigger("surface.revolve");
+    QVERIFY(quiet());
+    QVERIFY((camera().up - seen.up).norm() > 0.1);
+    driver_->trigger("edit.undo");
+    QVERIFY(quiet());
+    QVERIFY((camera().up - seen.up).norm() < 1e-9);
+    QVERIFY((camera().towards - seen.towards).norm() < 1e-9);
+  }
+
   void aSliceOfAMeshIsACurveWithMarks() {
     WindowDriver& d = *driver_;
     const QString mesh = dataMesh("spot_quads.obj");
@@ -263,9 +290,23 @@ class BridgingTest : public QObject {
     d.trigger("surface.plane.open");
     QVERIFY(quiet());
     QVERIFY(d.scene().curves != before.curves);
+    QVERIFY(d.window().bridges().link.isOn());
+    const Scene opened = d.scene();
     d.trigger("edit.undo");
+    QVERIFY(quiet());
     QVERIFY(d.scene().curves == before.curves);
     QVERIFY(d.scene().view == before.view);
+    QVERIFY(d.window().bridges().link.isOn());
+    d.trigger("edit.redo");
+    QVERIFY(quiet());
+    QVERIFY(d.scene() == opened);
+    QVERIFY(d.window().bridges().link.isOn());
+    // Undo does not move the cameras.
+    SurfaceCamera nearer = camera();
+    nearer.zoom *= 1.5;
+    d.document().setCamera(nearer);
+    d.trigger("edit.undo");
+    QVERIFY(camera() == nearer);
     d.trigger("edit.undo");
     QVERIFY(!d.scene().surface->plane);
     QVERIFY(quiet());
@@ -317,6 +358,23 @@ class BridgingTest : public QObject {
                                 std::abs(plane().normal.dot(foot - half * sight.along)));
     QVERIFY2(off < 1e-6, qPrintable(QString::number(off)));
     QCOMPARE(d.document().undoStack().count(), steps + 2);
+    // The untouched angle stays as it is, not as its field rounds it.
+    const NormalAngles angles = anglesOf(plane().normal);
+    d.child<QDoubleSpinBox>("section.azimuth").setValue(std::round(angles.azimuthDeg) + 3.0);
+    QVERIFY(std::abs(anglesOf(plane().normal).elevationDeg - angles.elevationDeg) < 1e-9);
+    d.trigger("edit.undo");
+    // Another view lets the shared grip go, and keys come in the middle of a drag.
+    const SurfacePlane untouched = plane();
+    const QPoint held = handle(0);
+    QTest::mousePress(&surface(), Qt::LeftButton, {}, held);
+    d.window().bridges().grip.setHandle(std::nullopt);
+    QTest::keyClick(&surface(), Qt::Key_BracketRight);
+    QVERIFY(plane() == untouched);
+    moveOver(held + QPoint(20, 0));
+    QVERIFY(!(plane() == untouched));
+    QTest::keyClick(&surface(), Qt::Key_Escape);
+    QTest::mouseRelease(&surface(), Qt::LeftButton, {}, held);
+    QVERIFY(plane() == untouched);
     // Esc takes a drag back and leaves no step.
     const SurfacePlane kept = plane();
     QTest::mousePress(&surface(), Qt::LeftButton, {}, handle(0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written of the surface and its views, from the real window.
 #include <QLabel>
+#include <QSignalSpy>
 
 #include "core3d/draw/draughtsman.h"
 #include "core3d/io/cameras_json.h"
@@ -152,6 +153,19 @@ class SurfaceExportTest : public QObject {
     driver_->window().surfaces().exporter().exportTo(side, {});
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(side), kPatienceMs);
     QVERIFY(textOf(side) != text);
+  }
+
+  void exportsWaitForEachOther() {
+    const QString csv = driver_->path("first.csv"), png = driver_->path("second.png");
+    SurfaceExporter& exporter = driver_->window().surfaces().exporter();
+    QSignalSpy written(&exporter, &SurfaceExporter::written);
+    exporter.exportTo(csv, {});
+    exporter.exportTo(png, {320, 240});
+    QTRY_COMPARE_WITH_TIMEOUT(written.count(), 2, kPatienceMs);
+    QCOMPARE(written[0][0].toString(), csv);
+    QCOMPARE(written[1][0].toString(), png);
+    QVERIFY(QFile::exists(csv));
+    QCOMPARE(QImage(png).size(), QSize(320, 240));
   }
 
   void theMeshItselfIsNotOverwritten() {

@@ -39,6 +39,9 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
       exporter_(models) {
   connect(&models_.source, &SurfaceSource::failed, &messages_, &MessageBar::showError);
   connect(&models_.views, &SurfaceViews::failed, &messages_, &MessageBar::showError);
+  const Bridges& bridges = models_.bridges;
+  connect(&bridges.source, &BridgeSource::failed, &messages_, &MessageBar::showError);
+  connect(&bridges.section, &SectionSource::failed, &messages_, &MessageBar::showError);
   connect(&exporter_, &SurfaceExporter::failed, &messages_, &MessageBar::showError);
   connect(&exporter_, &SurfaceExporter::notYet, this,
           [this] { emit said(tr("The lines are not found yet; export again in a moment.")); });

@@ -59,6 +59,15 @@ std::string camerasText(const SurfaceSetting& setting) {
 SurfaceExporter::SurfaceExporter(const SurfaceModels& models, QObject* parent)
     : QObject(parent), models_(models) {
   connect(&job_, &Job::failed, this, &SurfaceExporter::failed);
+  // Queued: the job tells that it ends before it hands over what it made.
+  connect(&job_, &Job::runningChanged, this, &SurfaceExporter::startNext, Qt::QueuedConnection);
+}
+
+void SurfaceExporter::startNext() {
+  if (job_.isRunning() || waiting_.empty()) return;
+  const std::function<void()> start = std::move(waiting_.front());
+  waiting_.pop_front();
+  start();
 }
 
 void SurfaceExporter::exportTo(const QString& name, const QSize& size) {
@@ -77,7 +86,7 @@ void SurfaceExporter::exportTo(const QString& name, const QSize& size) {
 }
 
 void SurfaceExporter::writePicture(const QString& name, const QSize& size) {
-  job_.start<QImage>(
+  enqueue<QImage>(
       [pictures = picturesOf(models_), size](const JobControl&) {
         return std::optional(paintSurfaces(pictures, size));
       },
@@ -102,7 +111,7 @@ void SurfaceExporter::writeLines(const QString& name, const QSize& size) {
       return emit notYet();
     }
   }
-  job_.start<Figure>(
+  enqueue<Figure>(
       [pictures, size](const JobControl&) { return std::optional(surfaceFigure(pictures, size)); },
       [this, name, title = surfaceName(models_.source.surface()->reference),
        scene = models_.document.scene()](const Figure& figure) {
@@ -123,7 +132,7 @@ void SurfaceExporter::writeFields(const QString& name) {
                                            surface->ballRadius, kAnySize, kAnySize)
                                .view();
   const bool csv = QFileInfo(name).suffix().toLower() == "csv";
-  job_.start<std::string>(
+  enqueue<std::string>(
       [surface, view, csv](const JobControl&) {
         return std::optional(csv ? fieldsToCsv(*surface->mesh, *surface->fields, view)
                                  : fieldsToPly(*surface->mesh, *surface->fields, view));

@@ -4,7 +4,10 @@
 #include <QObject>
 #include <QSize>
 #include <QString>
+#include <deque>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "ui/jobs/job.h"
 #include "ui/view3d/surface_models.h"
@@ -21,8 +24,9 @@ class SurfaceExporter : public QObject {
  public:
   explicit SurfaceExporter(const SurfaceModels& models, QObject* parent = nullptr);
 
-  /// Pictures have this size in px. Done beside the window's thread; written() or failed() tells
-  /// the end. Nothing happens without a surface.
+  /// Pictures have this size in px. Writes what is seen now, after exports that are under way. Done
+  /// beside the window's thread; written() or failed() tells the end. Nothing happens without a
+  /// surface.
   void exportTo(const QString& name, const QSize& size);
 
  signals:
@@ -36,9 +40,18 @@ class SurfaceExporter : public QObject {
   void writeLines(const QString& name, const QSize& size);
   void writeFields(const QString& name);
   void writeCameras(const QString& name);
+  void startNext();
+  template <class Value>
+  void enqueue(std::function<std::optional<Value>(const JobControl&)> work,
+               std::function<void(const Value&)> done) {
+    waiting_.push_back(
+        [this, work = std::move(work), done = std::move(done)] { job_.start<Value>(work, done); });
+    startNext();
+  }
 
   SurfaceModels models_;
   Job job_;
+  std::deque<std::function<void()>> waiting_;  ///< exports, in the order they were asked for
 };
 
 /// The camera that the first view is looked at from, then those that are kept, as a list for

@@ -25,7 +25,10 @@ std::shared_ptr<const BridgeView> bridgeOf(const std::shared_ptr<const SeenSurfa
 
 BridgeSource::BridgeSource(const SeenSource& seen, QObject* parent) : QObject(parent), seen_(seen) {
   connect(&seen_, &SeenSource::changed, this, &BridgeSource::follow);
-  connect(&job_, &Job::failed, this, &BridgeSource::failed);
+  connect(&job_, &Job::failed, this, [this](const QString& reason) {
+    emit failed(reason);
+    if (again_) follow();  // what was wished meanwhile may do
+  });
 }
 
 void BridgeSource::setShown(bool shown) {

@@ -89,7 +89,10 @@ void Document::swapScene(Scene& scene) {
 
 void Document::swapSurface(std::optional<SurfaceSetting>& surface) {
   const std::optional<SurfaceSetting>& old = scene_.surface;
-  if (surface && old && surface->mesh == old->mesh && surface->upAxis == old->upAxis) {
+  const auto kind = [](const SurfaceSetting& s) { return s.swept ? s.swept->kind : std::string(); };
+  // A revolution is looked at along its axis: no view of an extrusion.
+  if (surface && old && surface->mesh == old->mesh && surface->upAxis == old->upAxis &&
+      kind(*surface) == kind(*old)) {
     surface->camera = scene_.surface->camera;
     const std::size_t both = std::min(surface->panes.size(), scene_.surface->panes.size());
     for (std::size_t i = 0; i < both; ++i) {

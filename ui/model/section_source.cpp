@@ -117,7 +117,10 @@ SectionSource::SectionSource(const Document& document, const SurfaceSource& sour
   connect(&document_, &Document::changed, this, &SectionSource::follow);
   connect(&source_, &SurfaceSource::changed, this, &SectionSource::update);
   connect(&seen_, &SeenSource::changed, this, &SectionSource::update);
-  connect(&job_, &Job::failed, this, &SectionSource::failed);
+  connect(&job_, &Job::failed, this, [this](const QString& reason) {
+    emit failed(reason);
+    if (again_) update();  // what was wished meanwhile may do
+  });
 }
 
 void SectionSource::setTolerance(double share) {

@@ -108,7 +108,10 @@ SeenSource::SeenSource(const Document& document, const SurfaceSource& source, st
     : QObject(parent), document_(document), source_(source), pane_(pane), first_(first), ink_(ink) {
   connect(&document_, &Document::changed, this, &SeenSource::follow);
   connect(&source_, &SurfaceSource::changed, this, &SeenSource::surfaceChanged);
-  connect(&job_, &Job::failed, this, &SeenSource::failed);
+  connect(&job_, &Job::failed, this, [this](const QString& reason) {
+    emit failed(reason);
+    if (again_) search();  // what was wished meanwhile may do
+  });
   if (ink_) connect(ink_, &InkSource::changed, this, &SeenSource::search);
   if (first_) {
     connect(first_, &SeenSource::changed, this, [this] {

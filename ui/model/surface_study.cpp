@@ -10,16 +10,21 @@ namespace flatland::ui {
 
 /// Keeps what one search lends to the next; searches of one surface take turns.
 struct SurfaceStudy::Worker {
-  explicit Worker(std::shared_ptr<const LoadedSurface> of)
-      : surface(std::move(of)), study(*surface->mesh, *surface->fields) {}
+  explicit Worker(std::shared_ptr<const LoadedSurface> of) : surface(std::move(of)) {}
 
   std::mutex turn;
   std::shared_ptr<const LoadedSurface> surface;
-  TriangleStudy study;
+  std::optional<TriangleStudy> study;  ///< made by the first search: it walks over the mesh
 };
 
-SurfaceStudy::SurfaceStudy(const Document& document, SurfacePick& pick, QObject* parent)
-    : QObject(parent), document_(document), pick_(pick) {
+SurfaceStudy::SurfaceStudy(const Document& document, SurfacePick& pick, const SurfaceViews& views,
+                           QObject* parent)
+    : QObject(parent), document_(document), pick_(pick), views_(views) {
+  connect(&views_.ink(), &InkSource::changed, this, &SurfaceStudy::search);
+  connect(&job_, &Job::failed, this, [this](const QString& reason) {
+    emit failed(reason);
+    if (again_) search();
+  });
   connect(&pick_, &SurfacePick::changed, this, &SurfaceStudy::refresh);
   connect(&document_, &Document::changed, this, [this](const Change& change) {
     const bool seen = change.what == Change::What::Camera || change.touchesSurface();
@@ -71,14 +76,18 @@ void SurfaceStudy::search() {
   again_ = job_.isRunning();
   if (again_) return;
   using Data = std::shared_ptr<const TriangleLesson>;
+  // That of the picture, which equal ink moves.
   const double threshold =
-      familyOf(*document_.scene().surface, LineFamily::ApparentRidges).threshold;
+      familyOf(views_.setting(0).surface, LineFamily::ApparentRidges).threshold;
   job_.start<Data>(
       [worker = worker_, triangle = pick_.hit()->triangle, view = projection(1.0, 1.0).view(),
        threshold](const JobControl&) -> std::optional<Data> {
         const std::lock_guard lock(worker->turn);
+        if (!worker->study) {
+          worker->study.emplace(*worker->surface->mesh, *worker->surface->fields);
+        }
         return std::make_shared<const TriangleLesson>(
-            worker->study.lesson(triangle, view, threshold));
+            worker->study->lesson(triangle, view, threshold));
       },
       [this](const Data& lesson) {
         lesson_ = lesson;

@@ -11,6 +11,7 @@
 #include "ui/jobs/job.h"
 #include "ui/model/document.h"
 #include "ui/model/surface_pick.h"
+#include "ui/model/surface_views.h"
 
 namespace flatland::ui {
 
@@ -20,7 +21,8 @@ class SurfaceStudy : public QObject {
   Q_OBJECT
 
  public:
-  SurfaceStudy(const Document& document, SurfacePick& pick, QObject* parent = nullptr);
+  SurfaceStudy(const Document& document, SurfacePick& pick, const SurfaceViews& views,
+               QObject* parent = nullptr);
   ~SurfaceStudy() override;
 
   /// The pick; to choose another vertex or triangle.
@@ -41,6 +43,7 @@ class SurfaceStudy : public QObject {
  signals:
   void changed();        ///< pick or place
   void lessonChanged();  ///< or there is none any more
+  void failed(const QString& reason);
 
  private:
   struct Worker;
@@ -49,6 +52,7 @@ class SurfaceStudy : public QObject {
 
   const Document& document_;
   SurfacePick& pick_;
+  const SurfaceViews& views_;
   Job job_;
   std::shared_ptr<Worker> worker_;
   std::optional<SurfacePlace> place_;

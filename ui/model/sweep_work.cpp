@@ -26,12 +26,25 @@ SweepWork::SweepWork(QObject* parent) : QObject(parent), msPerSquare_(kFirstGues
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, [this] {
-    if (wish_ && !job_.isRunning() && madeCells_ < wish_->cells) start(wish_->cells);
+    if (!wish_ || job_.isRunning()) return;
+    const bool made = made_ && *made_ == *wish_ && madeCells_ == wish_->cells;
+    const bool tried = making_ && *making_ == *wish_;
+    if (!made && !tried) start(wish_->cells);
   });
   connect(&job_, &Job::progressed, this, [this](double share) {
     if (isLong()) emit progressed(share);
   });
-  connect(&job_, &Job::failed, this, &SweepWork::failed);
+  connect(&job_, &Job::failed, this, [this](const QString& reason) {
+    emit failed(reason);
+    if (!wish_ || !making_ || job_.isRunning()) return;
+    SweepWish tried = *making_;
+    tried.cells = wish_->cells;
+    if (!(tried == *wish_)) {
+      start(rest_.isActive() ? liveCells() : wish_->cells);
+    } else if (!rest_.isActive() && making_->cells < wish_->cells) {
+      start(wish_->cells);
+    }
+  });
   connect(&job_, &Job::runningChanged, this, &SweepWork::longChanged);
 }
 
@@ -51,6 +64,7 @@ void SweepWork::setWish(const std::optional<SweepWish>& wish) {
 void SweepWork::cancel() {
   rest_.stop();
   job_.cancel();
+  making_.reset();
 }
 
 int SweepWork::liveCells() const {

@@ -87,10 +87,16 @@ void ViewLink::follow(const Change& change) {
       if (on_) viewTurned();
       break;
     case Change::What::Scene:
-      if (on_ && disagree()) {
-        on_ = false;
-        emit changed();
-      }
+      // Judged when all have followed the scene: whose plane is that of the curves is told after
+      // this (setSectionPlane).
+      QMetaObject::invokeMethod(
+          this,
+          [this] {
+            if (!on_ || !disagree()) return;
+            on_ = false;
+            emit changed();
+          },
+          Qt::QueuedConnection);
       break;
     default:
       break;

@@ -21,8 +21,9 @@ namespace flatland::ui {
 namespace {
 
 enum KindIndex { kNone, kExtrusion, kRevolution };
-constexpr double kMostAmount = 1e6, kLeastHeight = 1e-6;
 constexpr int kDecimals = 4;
+// The field rounds to its decimals: the least height is the least of these that is not 0.
+constexpr double kMostAmount = 1e6, kLeastHeight = 1e-4;
 
 }  // namespace
 
@@ -128,6 +129,9 @@ void BridgePanel::edit(const QString& text, const std::function<void(SweptSettin
   std::optional<SurfaceSetting> setting = models_.document.scene().surface;
   if (!setting || !setting->swept) return;
   change(*setting->swept);
+  // Files with such a height are refused (flatland/io/surface_json.cpp).
+  const bool revolution = kindOf(*setting->swept) == SweptSurface::Kind::Revolution;
+  if (!revolution && !(setting->swept->amount > 0.0)) return showSetting();
   models_.document.push(std::make_unique<SetSurface>(models_.document, setting, text));
 }
 

@@ -83,10 +83,15 @@ GlCanvas::GlCanvas(const SurfaceModels& models, QWidget* parent)
     if (change.what == Change::What::Camera && openGl().software) rest_.start();
     if (change.touchesSurface() || change.what == Change::What::Camera) update();
   });
-  connect(&models_.source, &SurfaceSource::changed, this, repaint);
+  // A swept curve or a plane that is dragged moves the picture as the camera does.
+  const auto moved = [this] {
+    if (openGl().software) rest_.start();
+    update();
+  };
+  connect(&models_.source, &SurfaceSource::changed, this, moved);
   connect(&models_.seen, &SeenSource::changed, this, repaint);
   connect(&models_.bridges.source, &BridgeSource::changed, this, repaint);
-  connect(&models_.bridges.section, &SectionSource::changed, this, repaint);
+  connect(&models_.bridges.section, &SectionSource::changed, this, moved);
   connect(&models_.display, &Display::changed, this, repaint);
 }
 

@@ -102,6 +102,7 @@ bool PlaneInput::press(const QMouseEvent& event) {
   models_.bridges.grip.setHandle(handle);
   models_.bridges.grip.setHasKeys(true);
   before_ = *plane();
+  held_ = *handle;
   pressed_ = event.position();
   gesture_ = models_.document.newGesture();
   return true;
@@ -127,10 +128,10 @@ bool PlaneInput::move(const QMouseEvent& event) {
   }
   const double radius = models_.source.surface()->ballRadius;
   const Vector2d to = vectorOf(event.position());
-  if (*grip.handle() == 0) {
+  if (held_ == 0) {
     setPlane(pulled(*before_, projection(), vectorOf(pressed_), to, radius), gesture_);
   } else {
-    const auto rim = static_cast<std::size_t>(*grip.handle() - 1);
+    const auto rim = static_cast<std::size_t>(held_ - 1);
     setPlane(turnedTo(*before_, handlesOf(*before_, radius).rim[rim], projection(), to), gesture_);
   }
   emit hint(tr("Moving the plane; Esc takes it back"));
@@ -174,6 +175,7 @@ bool PlaneInput::key(const QKeyEvent& event) {
     }
     return true;
   }
+  if (before_) return true;  // keys would be undone by the next movement
   if (event.key() == Qt::Key_C) {
     if (!event.isAutoRepeat()) grip.setHasKeys(!grip.hasKeys());
     emit hint(grip.hasKeys() ? tr("The arrow keys turn the plane; [ and ] move it")

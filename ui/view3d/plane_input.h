@@ -43,6 +43,7 @@ class PlaneInput : public QObject {
   QWidget& canvas_;
   SurfaceModels models_;
   std::optional<SurfacePlane> before_;  ///< the drag
+  int held_ = 0;                        ///< its handle; the grip's is shared with other views
   QPointF pressed_;
   int gesture_ = 0;
 };

@@ -202,7 +202,14 @@ void SectionPanel::typed() {
   if (sender() == height_) {
     plane = moved(plane, height_->value() - height, models_.source.surface()->ballRadius);
   } else {
-    plane.normal = normalOf({azimuth_->value(), elevation_->value()});
+    // The other field shows its angle rounded.
+    NormalAngles angles = anglesOf(plane.normal);
+    if (sender() == azimuth_) {
+      angles.azimuthDeg = azimuth_->value();
+    } else {
+      angles.elevationDeg = elevation_->value();
+    }
+    plane.normal = normalOf(angles);
   }
   setPlane(plane, tr("move plane"));
 }

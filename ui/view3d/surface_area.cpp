@@ -96,6 +96,7 @@ void SurfaceArea::makePanes() {
   const std::size_t wanted = models_.views.count();
   while (panes_.size() > wanted) {
     // What it shows is gone, and who is in the middle of an event of it must come out again.
+    panes_.back()->input()->setSpinning(false);  // tells the menu
     panes_.back()->hide();
     panes_.back()->deleteLater();
     panes_.pop_back();
