@@ -31,8 +31,6 @@ constexpr double kClearWin = 1.2;
 constexpr double kClearFall = 2.0 * Contrast::kFall;
 // Of curvatures on the two sides of a joint, relative to their sizes and that of the curve.
 constexpr double kJump = 1e-6;
-// The view along the sweep, and along an axis, up to rounding of a normalised direction.
-constexpr double kAlong = 1e-9;
 
 constexpr std::array kNames = {"none", "faces-away",      "parallel-wins", "pole",  "crease",
                                "end",  "silhouette-near", "sharp-bend",    "slight"};
@@ -88,20 +86,16 @@ SweptSurface turnedLike(const SceneCurve& curve, SweptSurface surface, const Sur
 }
 
 FlatView flatViewOf(const SweptSurface& surface, const SurfaceView& view) {
-  if (view.eye) {
-    return {{},
-            "a perspective view turns from place to place; the bridge needs an orthographic "
-            "one"};
-  }
+  if (view.eye) return {{}, std::string(kNoFlatPerspective)};
   const Eigen::Vector3d w = view.towards.normalized();
   if (surface.kind == SweptSurface::Kind::Extrusion) {
     const Vec2 flat = w.head<2>();
-    if (flat.norm() < kAlong) {
+    if (flat.norm() < kSeenAlong) {
       return {{}, "an extrusion seen along its rulings is a silhouette throughout"};
     }
     return {View{.angleDeg = std::atan2(flat.y(), flat.x()) * 180.0 / kPi, .distance = {}}, {}};
   }
-  if (std::hypot(w.x(), w.z()) > kAlong) {
+  if (std::hypot(w.x(), w.z()) > kSeenAlong) {
     return {{}, "a surface of revolution has to be seen along its axis, from 0,1,0 or 0,-1,0"};
   }
   return {View{.angleDeg = w.y() > 0.0 ? 90.0 : -90.0, .distance = {}}, {}};

@@ -36,6 +36,13 @@ SweptSurface turnedLike(const SceneCurve& curve, SweptSurface surface, const Sur
 /// even steps of t resolve these better than even lengths.
 SweptMesh sweptMesh(const SweptSurface& surface, int cells);
 
+/// Below this sine a direction counts as that of an axis, or of a plane's normal: the rounding of a
+/// normalised direction is far below it.
+inline constexpr double kSeenAlong = 1e-9;
+/// Why there is no flat view of what is seen in perspective; a sentence for people.
+inline constexpr std::string_view kNoFlatPerspective =
+    "a perspective view turns from place to place; the bridge needs an orthographic one";
+
 /// From where flatland has to look at the curve so that its marks are those of the surface: for an
 /// extrusion along the projection of w into the curve's plane, from any direction; for a revolution
 /// along its axis, from its ends. Empty, with the reason for a person, where there is no such view.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core3d/study/bridge_lines.h"
 #include "core3d/study/section.h"
 #include "ui/model/orbit.h"
 
@@ -21,7 +22,6 @@ constexpr double kRimShare = 0.8;  ///< of the ball around the surface: the hand
 constexpr int kRimPoints = 96;
 /// Below this sine between normal and line of sight a pull along the normal would run away.
 constexpr double kAlongSight = 0.15;
-constexpr double kSeenAlong = 1e-9;  ///< as in core3d/study/bridge_lines.cpp
 
 /// The two directions of the rim's handles.
 std::array<Vector3d, 2> axesOf(const SurfacePlane& plane) {
@@ -36,11 +36,7 @@ CutPlane cutPlaneOf(const SurfacePlane& plane, const TriangleMesh& mesh) {
 }
 
 PlaneView planeViewOf(const CutPlane& plane, const SurfaceView& view) {
-  if (view.eye) {
-    return {{},
-            "a perspective view turns from place to place; the bridge needs an orthographic "
-            "one"};
-  }
+  if (view.eye) return {{}, std::string(kNoFlatPerspective)};
   const Vec2 w(plane.right.dot(view.towards), plane.up.dot(view.towards));
   if (w.norm() < kSeenAlong) {
     return {{}, "the plane is seen head-on: no direction within it leads to the viewer"};

@@ -15,13 +15,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kStillMs = 700;        ///< a turn that pauses longer has ended
-constexpr double kSameDeg = 1e-7;    ///< rounding of turns there and back is far below it
-constexpr double kMatchDeg = 0.1;    ///< a scene written by hand has a few digits
-constexpr double kSeenAlong = 1e-9;  ///< as in core3d/study/bridge_lines.cpp
+constexpr int kStillMs = 700;      ///< a turn that pauses longer has ended
+constexpr double kSameDeg = 1e-7;  ///< rounding of turns there and back is far below it
+constexpr double kMatchDeg = 0.1;  ///< a scene written by hand has a few digits
 constexpr double kDeg = 180.0 / std::numbers::pi;
-constexpr char kPerspective[] =
-    "a perspective view turns from place to place; the bridge needs an orthographic one";
 
 bool sameAngle(double aDeg, double bDeg) { return std::abs(normalizedDeg(aDeg - bDeg)) < kSameDeg; }
 
@@ -56,7 +53,7 @@ std::optional<View> ViewLink::flatView(std::string* whyNot) const {
   const Scene& scene = document_.scene();
   const SurfaceCamera& camera = scene.surface->camera;
   if (camera.perspectiveDeg || scene.view.distance) {
-    *whyNot = kPerspective;
+    *whyNot = kNoFlatPerspective;
     return std::nullopt;
   }
   if (const std::optional<SweptSurface> swept = sweptOf(scene)) {
