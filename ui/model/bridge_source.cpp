@@ -23,12 +23,10 @@ std::shared_ptr<const BridgeView> bridgeOf(const std::shared_ptr<const SeenSurfa
 
 }  // namespace
 
-BridgeSource::BridgeSource(const SeenSource& seen, QObject* parent) : QObject(parent), seen_(seen) {
+BridgeSource::BridgeSource(const SeenSource& seen, QObject* parent)
+    : QObject(parent), seen_(seen), job_([this] { predict(); }) {
   connect(&seen_, &SeenSource::changed, this, &BridgeSource::follow);
-  connect(&job_, &Job::failed, this, [this](const QString& reason) {
-    emit failed(reason);
-    if (again_) follow();  // what was wished meanwhile may do
-  });
+  connect(&job_, &LatestJob::failed, this, &BridgeSource::failed);
 }
 
 void BridgeSource::setShown(bool shown) {
@@ -41,21 +39,22 @@ void BridgeSource::follow() {
   const std::shared_ptr<const SeenSurface>& seen = seen_.seen();
   if (!seen || !seen->surface->swept) {
     job_.cancel();
-    again_ = false;
     if (!view_) return;
     view_.reset();
     emit changed();
     return;
   }
-  again_ = job_.isRunning();
-  if (again_) return;
+  job_.wish();
+}
+
+void BridgeSource::predict() {
   using Data = std::shared_ptr<const BridgeView>;
-  job_.start<Data>([seen](const JobControl&) -> std::optional<Data> { return bridgeOf(seen); },
-                   [this](const Data& view) {
-                     view_ = view;
-                     emit changed();
-                     if (again_) follow();
-                   });
+  job_.start<Data>(
+      [seen = seen_.seen()](const JobControl&) -> std::optional<Data> { return bridgeOf(seen); },
+      [this](const Data& view) {
+        view_ = view;
+        emit changed();
+      });
 }
 
 }  // namespace flatland::ui

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core3d/study/bridge.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/model/seen_surface.h"
 
 namespace flatland::ui {
@@ -20,8 +20,7 @@ struct BridgeView {
 };
 
 /// The prediction for what is seen of a swept surface. Made beside the window's thread after each
-/// search for lines; one under way is ended before the next, so it follows a moving curve or
-/// camera.
+/// search for lines, the newest there is, so it follows a moving curve or camera.
 class BridgeSource : public QObject {
   Q_OBJECT
 
@@ -30,7 +29,7 @@ class BridgeSource : public QObject {
 
   /// Null unless the surface is swept and its lines were looked for.
   const std::shared_ptr<const BridgeView>& view() const { return view_; }
-  bool isStale() const { return job_.isRunning() || again_; }
+  bool isStale() const { return job_.isStale(); }
 
   /// Whether the predicted lines are drawn on the surface; at first they are.
   bool isShown() const { return shown_; }
@@ -42,11 +41,11 @@ class BridgeSource : public QObject {
 
  private:
   void follow();
+  void predict();
 
   const SeenSource& seen_;
-  Job job_;
+  LatestJob job_;
   std::shared_ptr<const BridgeView> view_;
-  bool again_ = false;
   bool shown_ = true;
 };
 

@@ -113,14 +113,13 @@ void cut(SectionView& view, const std::shared_ptr<const SectionView>& last, cons
 
 SectionSource::SectionSource(const Document& document, const SurfaceSource& source,
                              const SeenSource& seen, QObject* parent)
-    : QObject(parent), document_(document), source_(source), seen_(seen) {
+    : QObject(parent), document_(document), source_(source), seen_(seen), job_([this] {
+        cutNewest();
+      }) {
   connect(&document_, &Document::changed, this, &SectionSource::follow);
   connect(&source_, &SurfaceSource::changed, this, &SectionSource::update);
   connect(&seen_, &SeenSource::changed, this, &SectionSource::update);
-  connect(&job_, &Job::failed, this, [this](const QString& reason) {
-    emit failed(reason);
-    if (again_) update();  // what was wished meanwhile may do
-  });
+  connect(&job_, &LatestJob::failed, this, &SectionSource::failed);
 }
 
 void SectionSource::setTolerance(double share) {
@@ -135,21 +134,22 @@ void SectionSource::follow(const Change& change) {
 
 void SectionSource::update() {
   const std::optional<SurfaceSetting>& setting = document_.scene().surface;
-  const std::shared_ptr<const LoadedSurface>& surface = source_.surface();
-  if (!setting || !setting->plane || !surface) {
+  if (!setting || !setting->plane || !source_.surface()) {
     job_.cancel();
-    again_ = false;
     if (!view_) return;
     view_.reset();
     emit changed();
     return;
   }
-  again_ = job_.isRunning();
-  if (again_) return;
+  job_.wish();
+}
+
+void SectionSource::cutNewest() {
+  const std::shared_ptr<const LoadedSurface>& surface = source_.surface();
   // Lines of another surface tell nothing of this one.
   const bool ofThis = seen_.seen() && seen_.seen()->surface == surface;
   SectionView next{surface,
-                   *setting->plane,
+                   *document_.scene().surface->plane,
                    toleranceFor(*surface->mesh, tolerance_),
                    {},
                    {},
@@ -173,7 +173,6 @@ void SectionSource::update() {
       [this](const Data& view) {
         view_ = view;
         emit changed();
-        if (again_) update();
       });
 }
 

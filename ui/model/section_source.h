@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core3d/study/section.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/model/seen_surface.h"
 
 namespace flatland::ui {
@@ -37,8 +37,8 @@ struct SectionView {
   std::vector<SectionPair> pairs;           ///< by distance, those without partner last
 };
 
-/// Cuts and fits beside the window's thread whenever plane, surface or view change. One that is
-/// under way is ended before the next, so that the section follows the hand.
+/// Cuts and fits beside the window's thread whenever plane, surface or view change, the newest
+/// there are, so that the section follows the hand.
 class SectionSource : public QObject {
   Q_OBJECT
 
@@ -50,7 +50,7 @@ class SectionSource : public QObject {
 
   /// Null if there is no plane or nothing to cut yet.
   const std::shared_ptr<const SectionView>& view() const { return view_; }
-  bool isStale() const { return job_.isRunning() || again_; }
+  bool isStale() const { return job_.isStale(); }
 
   /// How far the fitted curves may be from the section, as a share of the surface's longest side;
   /// 0: kUsualTolerance, and at least a tenth of an edge.
@@ -67,14 +67,14 @@ class SectionSource : public QObject {
  private:
   void follow(const Change& change);
   void update();
+  void cutNewest();
 
   const Document& document_;
   const SurfaceSource& source_;
   const SeenSource& seen_;
-  Job job_;
+  LatestJob job_;
   std::shared_ptr<const SectionView> view_;
   double tolerance_ = 0.0;
-  bool again_ = false;
 };
 
 }  // namespace flatland::ui

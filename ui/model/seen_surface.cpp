@@ -105,13 +105,16 @@ struct SeenSource::Worker {
 
 SeenSource::SeenSource(const Document& document, const SurfaceSource& source, std::size_t pane,
                        const SeenSource* first, const InkSource* ink, QObject* parent)
-    : QObject(parent), document_(document), source_(source), pane_(pane), first_(first), ink_(ink) {
+    : QObject(parent),
+      document_(document),
+      source_(source),
+      pane_(pane),
+      first_(first),
+      ink_(ink),
+      job_([this] { begin(); }) {
   connect(&document_, &Document::changed, this, &SeenSource::follow);
   connect(&source_, &SurfaceSource::changed, this, &SeenSource::surfaceChanged);
-  connect(&job_, &Job::failed, this, [this](const QString& reason) {
-    emit failed(reason);
-    if (again_) search();  // what was wished meanwhile may do
-  });
+  connect(&job_, &LatestJob::failed, this, &SeenSource::failed);
   if (ink_) connect(ink_, &InkSource::changed, this, &SeenSource::search);
   if (first_) {
     connect(first_, &SeenSource::changed, this, [this] {
@@ -136,7 +139,6 @@ void SeenSource::surfaceChanged() {
   const bool stays = surface && seen_ && isSameSurface(*surface, *seen_->surface);
   if (!stays) {
     job_.cancel();
-    again_ = false;
     drop();
   }
   if (!surface || !surface->fields) return;
@@ -159,27 +161,25 @@ void SeenSource::borrow() {
 void SeenSource::search() {
   const std::optional<SurfaceSetting>& setting = document_.scene().surface;
   const bool there = setting && pane_ < paneCount(*setting);
-  Wanted wanted;
-  if (there) wanted.pane = wantedOf(pane_);
-  borrows_ = false;
-  if (there && first_) {
-    PaneSetting first = wantedOf(0);
-    borrows_ = wanted.pane == first;
-    if (wanted.pane.difference) wanted.first = std::move(first);
-  }
+  borrows_ = there && first_ && wantedOf(pane_) == wantedOf(0);
   if (borrows_ || !there) {
     job_.cancel();
-    again_ = false;
     asked_.reset();
     return borrows_ ? borrow() : drop();
   }
-  if (!worker_ || setting->mesh != worker_->surface->reference) return;
-  if (asked_ == wanted) {
-    again_ = false;
-    return;
-  }
-  again_ = job_.isRunning();
-  if (!again_) start(wanted);
+  if (!isReady()) return;
+  if (asked_ == wanted()) return job_.forgetWish();
+  job_.wish();
+}
+
+bool SeenSource::isReady() const {
+  return worker_ && document_.scene().surface->mesh == worker_->surface->reference;
+}
+
+SeenSource::Wanted SeenSource::wanted() const {
+  Wanted wanted{wantedOf(pane_), {}};
+  if (first_ && wanted.pane.difference) wanted.first = wantedOf(0);
+  return wanted;
 }
 
 PaneSetting SeenSource::wantedOf(std::size_t pane) const {
@@ -187,23 +187,23 @@ PaneSetting SeenSource::wantedOf(std::size_t pane) const {
   return findingPart(ink_ ? ink_->withInk(asked, pane) : asked);
 }
 
-void SeenSource::start(const Wanted& wanted) {
-  asked_ = wanted;
+void SeenSource::begin() {
+  if (!isReady()) return;  // the fields of another surface are on their way
+  asked_ = wanted();
   // The view depends on where the viewer stands, not on the size of the picture.
   constexpr double kAnySize = 100.0;
   const SurfaceView view =
-      orbitProjection(wanted.pane.surface.camera, worker_->surface->ballRadius, kAnySize, kAnySize)
+      orbitProjection(asked_->pane.surface.camera, worker_->surface->ballRadius, kAnySize, kAnySize)
           .view();
   using Data = std::shared_ptr<const SeenSurface>;
   job_.start<Data>(
-      [worker = worker_, wanted, view](const JobControl&) -> std::optional<Data> {
+      [worker = worker_, wanted = *asked_, view](const JobControl&) -> std::optional<Data> {
         return worker->search(wanted, view);
       },
       [this](const Data& seen) {
         seen_ = seen;
         ++searches_;
         emit changed();
-        if (again_) search();
       });
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core3d/lines/line_finder.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/model/ink_source.h"
 #include "ui/model/surface_colours.h"
 #include "ui/model/surface_panes.h"
@@ -64,7 +64,7 @@ class SeenSource : public QObject {
   const std::shared_ptr<const SeenSurface>& seen() const { return seen_; }
 
   /// True while seen() is of another view or other settings.
-  bool isStale() const { return job_.isRunning() || again_ || (borrows_ && first_->isStale()); }
+  bool isStale() const { return job_.isStale() || (borrows_ && first_->isStale()); }
   int searches() const { return searches_; }  ///< of its own, ended so far
 
  signals:
@@ -83,8 +83,10 @@ class SeenSource : public QObject {
   void follow(const Change& change);
   void surfaceChanged();
   void search();
+  void begin();
+  bool isReady() const;
+  Wanted wanted() const;
   PaneSetting wantedOf(std::size_t pane) const;
-  void start(const Wanted& wanted);
   void borrow();
   void drop();
 
@@ -93,12 +95,11 @@ class SeenSource : public QObject {
   const std::size_t pane_;
   const SeenSource* first_;
   const InkSource* ink_;  ///< null: thresholds as given
-  Job job_;
+  LatestJob job_;
   std::shared_ptr<Worker> worker_;  ///< of the surface there is, shared with its jobs
   std::shared_ptr<const SeenSurface> seen_;
   std::optional<Wanted> asked_;  ///< of the last search
-  bool again_ = false;
-  bool borrows_ = false;  ///< what the first view found
+  bool borrows_ = false;         ///< what the first view found
   int searches_ = 0;
 };
 

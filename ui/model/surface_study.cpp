@@ -19,12 +19,9 @@ struct SurfaceStudy::Worker {
 
 SurfaceStudy::SurfaceStudy(const Document& document, SurfacePick& pick, const SurfaceViews& views,
                            QObject* parent)
-    : QObject(parent), document_(document), pick_(pick), views_(views) {
+    : QObject(parent), document_(document), pick_(pick), views_(views), job_([this] { begin(); }) {
   connect(&views_.ink(), &InkSource::changed, this, &SurfaceStudy::search);
-  connect(&job_, &Job::failed, this, [this](const QString& reason) {
-    emit failed(reason);
-    if (again_) search();
-  });
+  connect(&job_, &LatestJob::failed, this, &SurfaceStudy::failed);
   connect(&pick_, &SurfacePick::changed, this, &SurfaceStudy::refresh);
   connect(&document_, &Document::changed, this, [this](const Change& change) {
     const bool seen = change.what == Change::What::Camera || change.touchesSurface();
@@ -61,7 +58,6 @@ void SurfaceStudy::search() {
   const auto& surface = pick_.surface();
   if (!pick_.hit() || !surface->fields || !document_.scene().surface) {
     job_.cancel();
-    again_ = false;
     worker_.reset();
     if (!lesson_) return;
     lesson_.reset();
@@ -73,8 +69,11 @@ void SurfaceStudy::search() {
     job_.cancel();
     worker_ = std::make_shared<Worker>(surface);
   }
-  again_ = job_.isRunning();
-  if (again_) return;
+  job_.wish();
+}
+
+void SurfaceStudy::begin() {
+  if (!wanted_) return;
   using Data = std::shared_ptr<const TriangleLesson>;
   // That of the picture, which equal ink moves.
   const double threshold =
@@ -92,7 +91,6 @@ void SurfaceStudy::search() {
       [this](const Data& lesson) {
         lesson_ = lesson;
         emit lessonChanged();
-        if (again_) search();
       });
 }
 

@@ -8,7 +8,7 @@
 #include "core3d/draw/camera.h"
 #include "core3d/study/surface_derivation.h"
 #include "core3d/study/triangle_lesson.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/model/document.h"
 #include "ui/model/surface_pick.h"
 #include "ui/model/surface_views.h"
@@ -32,7 +32,7 @@ class SurfaceStudy : public QObject {
   /// Null until it is found; of the last camera until that of the next is there.
   const std::shared_ptr<const TriangleLesson>& lesson() const { return lesson_; }
   /// True while lesson() is of another camera.
-  bool isStale() const { return job_.isRunning() || again_; }
+  bool isStale() const { return job_.isStale(); }
 
   /// How the camera sees the surface; the picture is of this size. Precondition: a pick.
   Projection projection(double width, double height) const;
@@ -49,15 +49,16 @@ class SurfaceStudy : public QObject {
   struct Worker;
   void refresh();
   void search();
+  void begin();
 
   const Document& document_;
   SurfacePick& pick_;
   const SurfaceViews& views_;
-  Job job_;
+  LatestJob job_;
   std::shared_ptr<Worker> worker_;
   std::optional<SurfacePlace> place_;
   std::shared_ptr<const TriangleLesson> lesson_;
-  bool wanted_ = false, again_ = false;
+  bool wanted_ = false;
 };
 
 }  // namespace flatland::ui

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "ui/jobs/job.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/model/loaded_surface.h"
 
 namespace flatland::ui {
@@ -21,8 +21,8 @@ struct SweepWish {
 };
 
 /// Makes meshes of a swept surface, with their fields, beside the window's thread, while the curve
-/// is dragged. One that is being made is not cut off by the next wish: only the newest is kept, so
-/// the surface follows the hand and never piles up. While wishes come, cells are as many as can be
+/// is dragged. One that is being made is not cut off by the next wish (LatestJob), so the surface
+/// follows the hand and never piles up. While wishes come, cells are as many as can be
 /// had in about kLiveMs; when the hand rests, as many as are wished
 /// (docs/decisions/0025-live-sweeping.md).
 class SweepWork : public QObject {
@@ -40,7 +40,7 @@ class SweepWork : public QObject {
   void cancel();
 
   /// A mesh of another wish, or a finer one, is on its way.
-  bool isStale() const { return job_.isRunning() || rest_.isActive(); }
+  bool isStale() const { return job_.isStale() || rest_.isActive(); }
   /// It takes so long that a person wants to see how far it is.
   bool isLong() const { return job_.isRunning() && long_; }
 
@@ -51,15 +51,13 @@ class SweepWork : public QObject {
   void failed(const QString& reason);
 
  private:
-  void start(int cells);
-  void finish(const SweepWish& of, const std::shared_ptr<const LoadedSurface>& surface);
+  void begin();
   int liveCells() const;
 
-  Job job_;
+  LatestJob job_;
   QTimer rest_;
-  std::optional<SweepWish> wish_, made_;
-  std::optional<SweepWish> making_;  ///< with the cells it is made with
-  int madeCells_ = 0;
+  std::optional<SweepWish> wish_;
+  std::optional<SweepWish> tried_;  ///< what was begun last, with the cells it is made with
   bool long_ = false;
   double msPerSquare_;  ///< time over the square of the cells, as it was last
 };

@@ -11,7 +11,7 @@
 namespace flatland::ui {
 
 SoftCanvas::SoftCanvas(const SurfaceModels& models, QWidget* parent)
-    : QWidget(parent), models_(models) {
+    : QWidget(parent), models_(models), job_([this] { paint(); }) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (change.touchesSurface() || change.what == Change::What::Camera) renew();
@@ -23,9 +23,10 @@ SoftCanvas::SoftCanvas(const SurfaceModels& models, QWidget* parent)
   connect(&models_.display, &Display::changed, this, &SoftCanvas::renew);
 }
 
-void SoftCanvas::renew() {
-  again_ = job_.isRunning();
-  if (again_ || size().isEmpty()) return;
+void SoftCanvas::renew() { job_.wish(); }
+
+void SoftCanvas::paint() {
+  if (size().isEmpty()) return;
   using Painted = std::pair<QImage, double>;
   const QSize pixels = size() * devicePixelRatioF();
   job_.start<Painted>(
@@ -39,7 +40,6 @@ void SoftCanvas::renew() {
         image_ = done.first;
         update();
         emit painted(done.second);
-        if (again_) renew();
       });
 }
 

@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QWidget>
 
-#include "ui/jobs/job.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/view3d/surface_models.h"
 
 namespace flatland::ui {
@@ -27,11 +27,11 @@ class SoftCanvas : public QWidget {
 
  private:
   void renew();
+  void paint();
 
   SurfaceModels models_;
-  Job job_;
+  LatestJob job_;
   QImage image_;
-  bool again_ = false;
 };
 
 }  // namespace flatland::ui
