@@ -10,6 +10,7 @@ namespace flatland::ui {
 namespace {
 
 constexpr int kSideWidth = 400;
+constexpr int kLargestShare = 3;  ///< of the window, to the column at the right: one in so many
 constexpr int kBottomHeight = 190;
 constexpr int kSeparatorHeight = 6;  ///< below a dock
 constexpr int kTabsHeight = 30;
@@ -112,15 +113,23 @@ void Docks::arrangeOnly(const QStringList& ids) {
   }
   if (column.isEmpty()) return;
   window_.resizeDocks(column, heights, Qt::Vertical);
-  window_.resizeDocks({column.front()}, {kSideWidth}, Qt::Horizontal);
+  const int wide = qMin(qRound(kSideWidth * scale_), window_.width() / kLargestShare);
+  window_.resizeDocks({column.front()}, {qMax(kSideWidth, wide)}, Qt::Horizontal);
 }
 
 void Docks::show(const char* id) {
   for (QDockWidget* dock : all_) {
     if (dock->objectName() != QLatin1String(id)) continue;
+    const bool opens = !dock->isVisible();
     dock->show();
     dock->raise();
+    if (opens && !dock->isFloating() && inGroup(Group::Plots).contains(dock)) makeRoom(*dock);
   }
+}
+
+void Docks::makeRoom(QDockWidget& dock) {
+  const int most = (window_.height() - kBarsHeight) / 2;
+  window_.resizeDocks({&dock}, {qMin(wantedHeight(dock) + kTabsHeight, most)}, Qt::Vertical);
 }
 
 void Docks::showWithHeight(const char* id, int height) {

@@ -40,7 +40,12 @@ class Docks {
   /// Only these panels, by id, each in its place; all others closed.
   void arrangeOnly(const QStringList& ids);
 
-  /// Opens the panel and brings it to the front.
+  /// How much larger than usual type is: the column at the right is as much wider, up to a third of
+  /// the window, when it is arranged.
+  void setScale(double scale) { scale_ = scale; }
+
+  /// Opens the panel and brings it to the front. One below the column at the right gets as much of
+  /// it as it needs, but no more than half.
   void show(const char* id);
 
   /// The same, with its row this many pixels high, but less than half of the window.
@@ -50,10 +55,12 @@ class Docks {
 
  private:
   QList<QDockWidget*> inGroup(Group group) const;
+  void makeRoom(QDockWidget& dock);
 
   QMainWindow& window_;
   QList<QDockWidget*> all_;
   QList<Group> groups_;  ///< of all_
+  double scale_ = 1.0;
 };
 
 }  // namespace flatland::ui

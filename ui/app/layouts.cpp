@@ -93,11 +93,22 @@ void Layouts::toggleProjector() {
 void Layouts::enter(Kind kind) {
   const QByteArray state = states_.value(kind);
   if (state.isEmpty() || !window_.restoreState(state, kVersion)) arrange();
-  pictureBar_.setVisible(kind == Kind::Picture);
-  surface_.setVisible(kind == Kind::Surface);
+  showParts();
+}
+
+void Layouts::showParts() {
+  pictureBar_.setVisible(current_ == Kind::Picture);
+  surface_.setVisible(current_ == Kind::Surface || (surfaceThere_ && current_ != Kind::Work));
+}
+
+void Layouts::setSurfaceThere(bool there) {
+  if (there == surfaceThere_) return;
+  surfaceThere_ = there;
+  showParts();
 }
 
 void Layouts::arrange() {
+  docks_.setScale(display_.uiScale());
   switch (current_) {
     case Kind::Work:
       docks_.arrangeBut(kSurfacePanels + kPickPanels);
@@ -109,11 +120,10 @@ void Layouts::arrange() {
       docks_.arrangeOnly({});
       break;
     case Kind::Projector:
-      docks_.arrangeOnly({"legend"});
+      docks_.arrangeOnly({surfaceThere_ ? "families" : "legend"});
       break;
   }
-  pictureBar_.setVisible(current_ == Kind::Picture);
-  surface_.setVisible(current_ == Kind::Surface);
+  showParts();
 }
 
 void Layouts::restoreDefault() { arrange(); }

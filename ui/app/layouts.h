@@ -26,11 +26,12 @@ class Layouts : public QObject {
   enum class Kind {
     Work,       ///< every panel of flatland
     Surface,    ///< the surface large, the canvas beside it, what belongs to the surface
-    Picture,    ///< the canvas alone, with what an export needs in a tool bar
-    Projector,  ///< full screen, large type, canvas and legend
+    Picture,    ///< the pictures alone, with what an export needs in a tool bar
+    Projector,  ///< full screen, large type, the pictures and one panel
   };
 
-  /// `pictureBar` is shown in the layout for pictures only, `surface` in that for surfaces.
+  /// `pictureBar` is shown in the layout for pictures only, `surface` in that for surfaces and, if
+  /// there is one, in those for pictures and the projector.
   Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& pictureBar,
           QWidget& surface);
 
@@ -38,6 +39,11 @@ class Layouts : public QObject {
   static std::optional<Kind> kindNamed(const QString& name);
 
   Kind current() const { return current_; }
+
+  /// Whether the scene has a surface.
+  void setSurfaceThere(bool there);
+  /// Whether a surface, if there is one, is seen in the current layout.
+  bool showsSurfaces() const { return current_ != Kind::Work; }
 
   /// Leaves the arrangement there is as it is, for the next time, and takes that of `kind` as it
   /// was left. Leaving the projector brings back size and place of the window too.
@@ -60,6 +66,7 @@ class Layouts : public QObject {
  private:
   void enter(Kind kind);
   void arrange();
+  void showParts();
 
   QMainWindow& window_;
   Docks& docks_;
@@ -69,6 +76,7 @@ class Layouts : public QObject {
   QToolButton* leave_;  ///< says, in projector mode, how to leave it
   Kind current_ = Kind::Work;
   Kind beforeProjector_ = Kind::Work;
+  bool surfaceThere_ = false;
   QByteArray geometry_;  ///< of the window before projector mode, for the settings
   QRect place_;
   Qt::WindowStates windowState_;

@@ -94,6 +94,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
     layouts_->restore(*settings_);
   }
   // The layout kept may be that of a surface which is not there any more.
+  showCentre();
   if (document_.scene().surface) {
     layouts_->use(Layouts::Kind::Surface);
     shareCentre();
@@ -211,7 +212,16 @@ void MainWindow::shareCentre() {
   centre_->setSizes({kSurfaceShare * kMuch, kMuch});
 }
 
+void MainWindow::showCentre() {
+  const bool surface = document_.scene().surface.has_value();
+  const bool appears = surface && surfaceArea_->isHidden();
+  layouts_->setSurfaceThere(surface);
+  if (appears && !surfaceArea_->isHidden()) shareCentre();
+  canvas_->setHidden(!surfaceArea_->isHidden() && document_.scene().curves.empty());
+}
+
 void MainWindow::connectSurface() {
+  connect(layouts_, &Layouts::changed, this, &MainWindow::showCentre);
   files_->setOtherOpener([this](const QString& name) {
     if (!isMeshName(name.toStdString())) return false;
     surfaces_->openFile(name);
@@ -222,7 +232,7 @@ void MainWindow::connectSurface() {
   connect(surfaces_, &SurfaceController::said, status_, &StatusLine::say);
   // Who opens a surface, or a scene with one, wants to see it; from then on it is the layout's.
   const auto showSurface = [this] {
-    if (layouts_->current() == Layouts::Kind::Surface) return;
+    if (layouts_->showsSurfaces()) return;
     layouts_->use(Layouts::Kind::Surface);
     shareCentre();
   };
@@ -230,6 +240,7 @@ void MainWindow::connectSurface() {
   connect(bridgeController_, &BridgeController::surfaceWanted, this, showSurface);
   connect(bridgeController_, &BridgeController::said, status_, &StatusLine::say);
   connect(&document_, &Document::changed, this, [this, showSurface](const Change& change) {
+    if (change.touchesScene() || change.touchesSurface()) showCentre();
     if (change.what == Change::What::Scene && document_.scene().surface) showSurface();
   });
 }

@@ -77,6 +77,7 @@ class MainWindow : public QMainWindow {
   void connectParts();
   void connectSurface();
   void shareCentre();
+  void showCentre();  ///< the surface and the curves, as far as there are any
   CanvasModels models() { return {document_, selection_, viewport_, display_, stage_, probe_}; }
   void setLanguage(const QString& code);
   void showTitle();

@@ -67,7 +67,8 @@ void buildMenus(const MenuParts& parts) {
   const qsizetype after = file.actions().indexOf(presets) + 1;
   file.insertAction(file.actions().value(after), parts.window.findChild<QAction*>("lesson.open"));
   buildHelpMenu(addMenu(parts.window, "menu.help", MenusWords::tr("&Help")), parts);
-  for (const char* id : {"file.export", "view.fit", "view.control-polygon", "view.hidden"}) {
+  for (const char* id :
+       {"file.export", "surface.export", "view.fit", "view.control-polygon", "view.hidden"}) {
     parts.pictureBar.addAction(parts.window.findChild<QAction*>(id));
   }
 }

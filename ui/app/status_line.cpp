@@ -126,7 +126,10 @@ void StatusLine::showScene() {
   if (!features.complete()) {
     marks_->setText(tr("%n places unresolved", nullptr, places));
   } else if (features.certified()) {
-    marks_->setText(tr("all %n marks certified", nullptr, marks));
+    // Of no curve at all there is nothing to boast of.
+    marks_->setText(document_.scene().curves.empty()
+                        ? QString()
+                        : tr("all %n marks certified", nullptr, marks));
   } else {
     const QString bound = QString::number(features.errorBound(), 'e', 0);
     marks_->setText(tr("all %n marks found to %1", nullptr, marks).arg(bound));

@@ -19,6 +19,7 @@ namespace flatland::ui {
 
 namespace {
 
+constexpr int kInvitationMargin = 16;  ///< of the words on an empty canvas, px
 constexpr double kPointSizePx = 9.0;
 constexpr double kHaloPx = 8.0;  ///< radius of the ring around a hovered or selected mark
 
@@ -306,7 +307,10 @@ class CanvasPainter {
 
   void paintInvitation() {
     painter_.setPen(toQColor(colours_.text));
-    painter_.drawText(QRect(QPoint(), canvas_), Qt::AlignCenter,
+    // In the upper part: the eye stands in the middle of the height.
+    const QRect upper(kInvitationMargin, 0, canvas_.width() - 2 * kInvitationMargin,
+                      canvas_.height() * 2 / 5);
+    painter_.drawText(upper, Qt::AlignCenter | Qt::TextWordWrap,
                       QCoreApplication::translate(
                           "FlatCanvas", "Nothing here yet. Curve > Add Curve draws one."));
   }

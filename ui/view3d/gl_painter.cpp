@@ -3,6 +3,8 @@
 
 #include <QMatrix4x4>
 #include <QVector3D>
+#include <algorithm>
+#include <array>
 
 #include "ui/model/orbit.h"
 #include "ui/view3d/gl_shaders.h"
@@ -13,6 +15,8 @@ namespace {
 
 QVector3D vectorOf(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
 
+QVector3D sharesOf(Rgb c) { return QVector3D(c.r, c.g, c.b) / 255.0f; }
+
 template <class Value>
 void send(QOpenGLBuffer& buffer, const std::vector<Value>& values) {
   if (!buffer.isCreated()) buffer.create();
@@ -20,7 +24,9 @@ void send(QOpenGLBuffer& buffer, const std::vector<Value>& values) {
   buffer.allocate(values.data(), static_cast<int>(values.size() * sizeof(Value)));
 }
 
-constexpr float kHiddenInk = 0.6f;  ///< of dashed lines, as in the painted picture
+/// How far the surface steps back from its lines, in pixels of its slope: beside a contour it is so
+/// steep that it would hide the inner half of the line.
+constexpr float kStepBackPx = 1.5f;
 
 }  // namespace
 
@@ -74,9 +80,9 @@ void GlPainter::sendColours(const SurfacePicture& picture) {
   hasColours_ = colours != nullptr;
   coloured_ = colours ? picture.seen : nullptr;
   if (!colours) return glDisableVertexAttribArray(2);
-  send(colours_, colours->rgb);
+  send(colours_, colours->share);
   glEnableVertexAttribArray(2);
-  glVertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Rgb), nullptr);
+  glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
 void GlPainter::sendLines(const SurfacePicture& picture) {
@@ -126,6 +132,13 @@ void GlPainter::paintMesh(const SurfacePicture& picture) {
   meshProgram_.setUniformValue("dark", vectorOf(shading.dark));
   meshProgram_.setUniformValue("warm", vectorOf(shading.warm));
   meshProgram_.setUniformValue("cool", vectorOf(shading.cool));
+  if (const VertexColours* colours = picture.colours()) {
+    std::array<QVector3D, 5> stops;
+    const auto row = colours->scale.stops(picture.palette);
+    std::transform(row.begin(), row.end(), stops.begin(), sharesOf);
+    meshProgram_.setUniformValueArray("stops", stops.data(), static_cast<int>(stops.size()));
+    meshProgram_.setUniformValue("noValue", sharesOf(ColourScale::kNoValue));
+  }
   const QOpenGLVertexArrayObject::Binder bound(&meshArrays_);
   indices_.bind();
   glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
@@ -140,7 +153,7 @@ void GlPainter::setUpLines(const SurfacePicture& picture, const QSize& pixels, d
   lineProgram_.setUniformValue("weakest", kWeakestInk);
   const bool dashed = hiddenOnes && hiddenOf(picture.setting) == HiddenLines::Dashed;
   lineProgram_.setUniformValue("dashPx", dashed ? kDashPx * static_cast<float>(pixelRatio) : 0.0f);
-  lineProgram_.setUniformValue("opacity", dashed ? kHiddenInk : 1.0f);
+  lineProgram_.setUniformValue("opacity", hiddenOnes ? kHiddenInk : 1.0f);
 }
 
 void GlPainter::paintMarks(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
@@ -152,8 +165,7 @@ void GlPainter::paintMarks(const SurfacePicture& picture, const QSize& pixels, d
   int first = 0;
   for (const MarkLines& marks : picture.marks) {
     const int count = static_cast<int>(marks.ends.size());
-    lineProgram_.setUniformValue(
-        "colour", QVector3D(marks.colour.r, marks.colour.g, marks.colour.b) / 255.0f);
+    lineProgram_.setUniformValue("colour", sharesOf(marks.colour));
     lineProgram_.setUniformValue("opacity", hiddenOnes ? kHiddenInk * marks.ink : marks.ink);
     lineProgram_.setUniformValue(
         "halfWidth", static_cast<float>(0.5 * marks.widthPx * picture.lineScale * pixelRatio));
@@ -168,8 +180,7 @@ void GlPainter::paintLines(const SurfacePicture& picture, const QSize& pixels, d
   const QOpenGLVertexArrayObject::Binder bound(&lineArrays_);
   for (const LineLayer& layer : lineLayers(picture)) {
     if (layer.ends->empty()) continue;
-    const Rgb colour = layer.colour;
-    lineProgram_.setUniformValue("colour", QVector3D(colour.r, colour.g, colour.b) / 255.0f);
+    lineProgram_.setUniformValue("colour", sharesOf(layer.colour));
     lineProgram_.setUniformValue("threshold", static_cast<float>(layer.threshold));
     lineProgram_.setUniformValue(
         "halfWidth", static_cast<float>(0.5 * layer.widthPx * picture.lineScale * pixelRatio));
@@ -202,7 +213,10 @@ void GlPainter::paint(const SurfacePicture& picture, const QSize& pixels, double
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDepthFunc(GL_LESS);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(kStepBackPx * static_cast<float>(pixelRatio), 0.0f);
   paintMesh(picture);
+  glDisable(GL_POLYGON_OFFSET_FILL);
   // Lines hide nothing.
   sendMarks(picture);
   glDepthMask(GL_FALSE);

@@ -7,17 +7,17 @@ namespace flatland::ui::shaders {
 inline constexpr char kMeshVertex[] = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec3 colour;
+layout(location = 2) in float share;
 uniform mat4 clip;
 uniform mat3 axes;
 out vec3 seenNormal;
 out vec3 seenPlace;
-out vec3 ownColour;
+out float ownShare;
 void main() {
   gl_Position = clip * vec4(position, 1.0);
   seenNormal = axes * normal;
   seenPlace = axes * position;
-  ownColour = colour;
+  ownShare = share;
 }
 )";
 
@@ -25,11 +25,19 @@ void main() {
 inline constexpr char kMeshFragment[] = R"(#version 330 core
 in vec3 seenNormal;
 in vec3 seenPlace;
-in vec3 ownColour;
+in float ownShare;
 uniform int style;
 uniform bool hasColours;
 uniform vec3 light, background, base, dark, warm, cool;
+uniform vec3 stops[5];  // of a colour map
+uniform vec3 noValue;
 out vec4 result;
+vec3 mapped() {
+  if (ownShare < 0.0) return noValue;
+  float place = clamp(ownShare, 0.0, 1.0) * 4.0;
+  int below = min(int(place), 3);
+  return mix(stops[below], stops[below + 1], place - float(below));
+}
 void main() {
   if (style == 0) { result = vec4(background, 1.0); return; }
   vec3 n = normalize(seenNormal);
@@ -39,12 +47,12 @@ void main() {
   }
   if (!gl_FrontFacing) n = -n;
   float lit = dot(n, light);
-  vec3 colour = hasColours ? ownColour : base;
+  vec3 colour = hasColours ? mapped() : base;
   if (style == 1 || style == 2) colour = mix(dark, base, clamp(0.25 + 0.75 * lit, 0.0, 1.0));
   else if (style == 3) colour = mix(dark, base, lit > 0.6 ? 1.0 : lit > 0.2 ? 0.66 : 0.33);
   else if (style == 4) colour = mix(cool, warm, 0.5 + 0.5 * lit);
   else if (style == 5) colour = 0.5 * n + vec3(0.5);
-  else colour *= 0.72 + 0.28 * max(lit, 0.0);
+  else colour *= 0.86 + 0.14 * max(lit, 0.0);
   result = vec4(colour, 1.0);
 }
 )";
@@ -68,6 +76,7 @@ uniform vec2 halfSize;
 uniform float halfWidth;
 uniform float bias;
 out float inkStrength;
+flat out int axis;  // that dashes are counted along
 void main() {
   vec4 a = gl_in[0].gl_Position, b = gl_in[1].gl_Position;
   if (a.w <= 0.0 || b.w <= 0.0) return;
@@ -78,14 +87,15 @@ void main() {
   // Longer by half a pixel at both ends, so that neighbours leave no gap.
   vec2 cap = along * min(halfWidth, 0.5);
   vec2 side = vec2(-along.y, along.x) * halfWidth;
+  int mainAxis = abs(along.x) >= abs(along.y) ? 0 : 1;
   float za = a.z / a.w - bias, zb = b.z / b.w - bias;
-  inkStrength = strength[0];
+  inkStrength = strength[0]; axis = mainAxis;
   gl_Position = vec4((from - cap + side) / halfSize, za, 1.0); EmitVertex();
-  inkStrength = strength[0];
+  inkStrength = strength[0]; axis = mainAxis;
   gl_Position = vec4((from - cap - side) / halfSize, za, 1.0); EmitVertex();
-  inkStrength = strength[1];
+  inkStrength = strength[1]; axis = mainAxis;
   gl_Position = vec4((to + cap + side) / halfSize, zb, 1.0); EmitVertex();
-  inkStrength = strength[1];
+  inkStrength = strength[1]; axis = mainAxis;
   gl_Position = vec4((to + cap - side) / halfSize, zb, 1.0); EmitVertex();
   EndPrimitive();
 }
@@ -97,12 +107,12 @@ uniform vec3 colour;
 uniform float opacity;
 uniform float threshold;  // 0: no fading
 uniform float weakest;
-uniform float dashPx;     // 0: solid
+uniform float dashPx;     // as long as a gap; 0: solid
+flat in int axis;
 out vec4 result;
 void main() {
   if (dashPx > 0.0) {
-    vec2 cell = floor(gl_FragCoord.xy / dashPx);
-    if (mod(cell.x + cell.y, 2.0) > 0.5) discard;
+    if (mod(floor(gl_FragCoord[axis] / dashPx), 2.0) > 0.5) discard;
   }
   float ink = 1.0;
   if (threshold > 0.0) {

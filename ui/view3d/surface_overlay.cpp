@@ -20,10 +20,29 @@ namespace {
 
 constexpr int kMargin = 10;
 constexpr double kBehindText = 0.72;  ///< opacity of the ground below words
-constexpr QSize kBar(180, 12);
+constexpr QSize kBar(220, 14);
+constexpr int kTickPx = 3;
 constexpr double kNarrowWidth = 420.0;  ///< that does not hold reading and legend side by side
 
 QString number(double value) { return QLocale().toString(value, 'g', 4); }
+
+/// Of a legend: two digits, and powers of ten as a hand writes them.
+QString shortNumber(double value) {
+  const double size = std::abs(value);
+  if (size == 0.0 || (size >= 1e-3 && size < 1e5)) {
+    const QString text =
+        size < 100.0 ? QLocale().toString(size, 'g', 2) : QLocale().toString(size, 'f', 0);
+    return value < 0.0 ? QChar(0x2212) + text : text;
+  }
+  const int exponent = static_cast<int>(std::floor(std::log10(size)));
+  QString power;
+  for (const QChar c : QString::number(exponent)) {
+    power += c == '-' ? QChar(0x207B) : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")[c.digitValue()];
+  }
+  const QString sign = value < 0.0 ? QString(QChar(0x2212)) : QString();
+  return sign + QStringLiteral("%1·10%2").arg(
+                    QLocale().toString(size / std::pow(10.0, exponent), 'g', 2), power);
+}
 
 /// Lines of text on a pale ground, with their corner at `at`; `flags` says which corner.
 void paintLines(QPainter& painter, const QRect& bounds, const QStringList& lines, int flags) {
@@ -56,6 +75,20 @@ QString quantityWords(SurfaceQuantity quantity) {
   }
   return SurfaceOverlay::tr("|Offset| / |feature|");
 }
+
+namespace {
+
+QStringList legendWords(const ColourScale& scale) {
+  QStringList words{quantityWords(scale.quantity)};
+  if (scale.knee > 0.0) {
+    words << SurfaceOverlay::tr("linear to ±%1, then logarithmic").arg(shortNumber(scale.knee));
+  } else if (scale.logarithmic) {
+    words << SurfaceOverlay::tr("logarithmic");
+  }
+  return words;
+}
+
+}  // namespace
 
 SurfaceOverlay::SurfaceOverlay(const SurfaceModels& models, QWidget* parent)
     : QWidget(parent), models_(models) {
@@ -176,15 +209,19 @@ int SurfaceOverlay::paintLegend(QPainter& painter) {
   const QSize bar = kBar * models_.display.uiScale();
   const QRect box(width() - kMargin - bar.width(), height() - kMargin - line - bar.height(),
                   bar.width(), bar.height());
-  paintLines(painter, QRect(0, 0, width(), box.top() + kMargin - 2),
-             {quantityWords(scale.quantity)}, Qt::AlignRight | Qt::AlignBottom);
+  paintLines(painter, QRect(0, 0, width(), box.top() + kMargin - 2), legendWords(scale),
+             Qt::AlignRight | Qt::AlignBottom);
   for (int x = 0; x < box.width(); ++x) {
-    const Rgb c = scale.at((x + 0.5) / box.width());
+    const Rgb c = scale.at((x + 0.5) / box.width(), picture.palette);
     painter.fillRect(box.left() + x, box.top(), 1, box.height(), QColor(c.r, c.g, c.b));
   }
   painter.drawRect(box.adjusted(0, 0, -1, -1));
+  for (const double tick : scale.ticks()) {
+    const int x = box.left() + qRound(scale.share(tick) * (box.width() - 1));
+    painter.drawLine(x, box.bottom() - kTickPx, x, box.bottom());
+  }
   const auto end = [&scale](double value) {
-    return number(scale.logarithmic ? std::pow(10.0, value) : value);
+    return shortNumber(scale.logarithmic ? std::pow(10.0, value) : value);
   };
   const QRect words(box.left(), box.bottom() + 1, box.width(), line);
   QColor ground = painter.background().color();
@@ -193,7 +230,7 @@ int SurfaceOverlay::paintLegend(QPainter& painter) {
   painter.drawText(words, Qt::AlignLeft, end(scale.low));
   if (scale.diverging) painter.drawText(words, Qt::AlignHCenter, scale.logarithmic ? "1" : "0");
   painter.drawText(words, Qt::AlignRight, end(scale.high));
-  return height() - box.top() + line;
+  return height() - box.top() + line * static_cast<int>(legendWords(scale).size());
 }
 
 }  // namespace flatland::ui

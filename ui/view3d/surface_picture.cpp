@@ -42,6 +42,7 @@ class Painter {
         size_(size),
         style_(styleOf(picture.setting)),
         shading_(shadingColours(picture.palette)),
+        colours_(picture.colours()),
         width_(size.width() * kFiner),
         height_(size.height() * kFiner),
         image_(width_, height_, QImage::Format_RGB32),
@@ -87,9 +88,12 @@ class Painter {
     return corner;
   }
 
-  Vector3f vertexColour(std::uint32_t v) const {
-    const VertexColours* colours = picture_.colours();
-    return colours ? vectorOf(shares(colours->rgb[v])) : vectorOf(shading_.base);
+  float shareOf(std::uint32_t v) const { return colours_ ? colours_->share[v] : 0.0f; }
+
+  /// Of the surface before it is lit.
+  Vector3f ownColour(float share) const {
+    return colours_ ? vectorOf(shares(colours_->scale.at(share, picture_.palette)))
+                    : vectorOf(shading_.base);
   }
 
   void paintTriangle(const std::array<std::uint32_t, 3>& t) {
@@ -106,7 +110,7 @@ class Painter {
     const int bottom = std::min(static_cast<int>(high(a.at.y(), b.at.y(), c.at.y())), height_ - 1);
     // y is down in the picture, so what is counter-clockwise to the eye has a negative area here.
     const bool front = area < 0.0f;
-    const Vector3f ca = vertexColour(t[0]), cb = vertexColour(t[1]), cc = vertexColour(t[2]);
+    const float sa = shareOf(t[0]), sb = shareOf(t[1]), sc = shareOf(t[2]);
     Vector3f flat = flatNormal(t);
     for (int y = top; y <= bottom; ++y) {
       auto* row = reinterpret_cast<QRgb*>(image_.scanLine(y));
@@ -126,7 +130,7 @@ class Painter {
                          ? flat
                          : Vector3f((w * a.normal + u * b.normal + v * c.normal).normalized());
         if (!front) n = -n;
-        row[x] = rgb(shaded(n, w * ca + u * cb + v * cc));
+        row[x] = rgb(shaded(n, ownColour(w * sa + u * sb + v * sc)));
       }
     }
   }
@@ -159,7 +163,7 @@ class Painter {
       case SurfaceStyle::Colours:
         break;
     }
-    return colour * (0.72f + 0.28f * std::max(light, 0.0f));
+    return colour * (0.86f + 0.14f * std::max(light, 0.0f));
   }
 
   void paintMarks(QImage& image) const {
@@ -191,19 +195,44 @@ class Painter {
     const Vector3f from = toPicture({a.x, a.y, a.z}, &aInFront);
     const Vector3f to = toPicture({b.x, b.y, b.z}, &bInFront);
     if (!aInFront || !bInFront) return;
-    const bool visible = isVisible(0.5f * (from + to));
-    if (!visible && hidden == HiddenLines::Off) return;
-    const float strength = 0.5f * (a.strength + b.strength);
-    float ink = opacity * inkOf(strength, layer.threshold);
-    const Vector3f middle = 0.5f * (from + to) / static_cast<float>(kFiner * 2) / kDashPx;
-    const bool gap = (static_cast<int>(std::floor(middle.x() * 2.0f)) +
-                      static_cast<int>(std::floor(middle.y() * 2.0f))) %
-                         2 !=
-                     0;
-    if (!visible && hidden == HiddenLines::Dashed) {
-      if (gap) return;
-      ink *= 0.6f;
+    const float ink = opacity * inkOf(0.5f * (a.strength + b.strength), layer.threshold);
+    // In pieces within a dash or a gap each, counted along the axis it follows more closely, as in
+    // gl_shaders.h. A piece is hidden or not by its middle; those alike are drawn as one.
+    const int axis = std::abs(to.x() - from.x()) >= std::abs(to.y() - from.y()) ? 0 : 1;
+    const float dash = kDashPx * static_cast<float>(kFiner);
+    const float first = from[axis] / dash, last = to[axis] / dash;
+    const auto shareAt = [first, last](float place) {
+      return first == last ? 1.0f : std::min((place - first) / (last - first), 1.0f);
+    };
+    float begun = 0.0f, done = 0.0f, before = 0.0f;  // shares of the segment, opacity
+    for (float at = first; done < 1.0f;) {
+      const float next = last > first ? std::floor(at) + 1.0f : std::ceil(at) - 1.0f;
+      const float reached = shareAt(next);
+      const float middle = 0.5f * (at + (reached < 1.0f ? next : last));
+      const bool isGap = static_cast<long>(std::floor(middle)) % 2 != 0;
+      const float opacityHere = isVisible(from + 0.5f * (done + reached) * (to - from))
+                                    ? 1.0f
+                                    : hiddenOpacity(hidden, isGap);
+      if (opacityHere != before) {
+        paintPiece(painter, from + begun * (to - from), from + done * (to - from), layer,
+                   before * ink);
+        begun = done;
+        before = opacityHere;
+      }
+      done = reached;
+      at = next;
     }
+    paintPiece(painter, from + begun * (to - from), to, layer, before * ink);
+  }
+
+  static float hiddenOpacity(HiddenLines hidden, bool isGap) {
+    const bool drawn = hidden == HiddenLines::Shown || (hidden == HiddenLines::Dashed && !isGap);
+    return drawn ? kHiddenInk : 0.0f;
+  }
+
+  void paintPiece(QPainter& painter, const Vector3f& from, const Vector3f& to,
+                  const LineLayer& layer, float ink) const {
+    if (!(ink > 0.0f)) return;
     QColor shade(layer.colour.r, layer.colour.g, layer.colour.b);
     shade.setAlphaF(ink);
     QPen pen(shade, layer.widthPx * picture_.lineScale);
@@ -235,6 +264,7 @@ class Painter {
   QSize size_;
   SurfaceStyle style_;
   ShadingColours shading_;
+  const VertexColours* colours_;
   int width_, height_;
   QImage image_;
   std::vector<float> depth_;
@@ -263,6 +293,15 @@ Rgb differenceColour(std::size_t part, Palette palette) {
   }
 }
 
+namespace {
+
+bool isOutline(LineFamily family) {
+  return family == LineFamily::ExteriorSilhouette || family == LineFamily::OccludingContours ||
+         family == LineFamily::Boundaries;
+}
+
+}  // namespace
+
 std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
   if (!picture.seen || !picture.surface ||
       !isSameSurface(*picture.surface, *picture.seen->surface)) {
@@ -278,7 +317,11 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
     }
     return layers;
   }
-  for (const LineFamily family : allLineFamilies()) {
+  // Contours and rims last: other lines run into them, and must not break them.
+  auto order = allLineFamilies();
+  std::stable_partition(order.begin(), order.end(),
+                        [](LineFamily family) { return !isOutline(family); });
+  for (const LineFamily family : order) {
     const SurfaceFamily look = familyOf(picture.setting, family);
     if (!look.on) continue;
     const bool fades = look.fade && !picture.setting.unfiltered;
