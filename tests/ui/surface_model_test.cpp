@@ -7,6 +7,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "ui/commands/scene_commands.h"
@@ -83,6 +85,35 @@ class SurfaceModelTest : public QObject {
         QVERIFY(std::abs(here.z()) < here.w());
       }
     }
+  }
+
+  void coloursKeepTheBulkApartFromTheExtremes() {
+    // The terms grow without bound towards the outline, yet half of the vertices are in colour.
+    Fixture f;
+    QVERIFY(f.open("solid:bumpy-sphere"));
+    const LoadedSurface& surface = *f.source.surface();
+    for (const SurfaceQuantity quantity : {SurfaceQuantity::Feature, SurfaceQuantity::Offset}) {
+      const VertexColours colours =
+          vertexColours(*surface.mesh, *surface.fields, f.seen.seen()->view, quantity);
+      const ColourScale& scale = colours.scale;
+      QVERIFY(scale.knee > 0.0 && scale.knee < scale.high);
+      QCOMPARE(scale.share(0.0), 0.5);
+      QCOMPARE(scale.share(-scale.high), 0.0);
+      QCOMPARE(scale.share(2.0 * scale.high), 1.0);
+      QVERIFY(scale.share(std::nan("")) < 0.0);
+      for (const double v : {0.1 * scale.knee, scale.knee, 0.5 * scale.high}) {
+        QVERIFY(std::abs(scale.share(v) + scale.share(-v) - 1.0) < 1e-12);
+        QVERIFY(scale.share(v) < scale.share(1.01 * v));
+      }
+      const auto apart = [](float share) { return std::abs(share - 0.5f) > 0.05f; };
+      const auto coloured = std::count_if(colours.share.begin(), colours.share.end(), apart);
+      QVERIFY(2 * coloured > static_cast<std::ptrdiff_t>(colours.share.size()));
+    }
+    // In the middle as pale or dark as the ground.
+    ColourScale scale;
+    scale.diverging = true;
+    QVERIFY(scale.at(0.5, Palette::Light).r > 0xE0 && scale.at(0.5, Palette::Dark).r < 0x40);
+    QVERIFY(scale.at(0.0, Palette::Light) == scale.stops(Palette::Light).front());
   }
 
   void theBallFitsAtZoomOne() {
@@ -303,7 +334,7 @@ class SurfaceModelTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return !f.seen.isStale(); }, kPatienceMs));
     picture.seen = f.seen.seen();
     QVERIFY(picture.colours());
-    QCOMPARE(picture.colours()->rgb.size(), picture.surface->mesh->vertexCount());
+    QCOMPARE(picture.colours()->share.size(), picture.surface->mesh->vertexCount());
     QVERIFY(picture.colours()->scale.diverging);
   }
 

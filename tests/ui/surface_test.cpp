@@ -15,6 +15,7 @@
 #include "tests/ui/support_window.h"
 #include "ui/app/layouts.h"
 #include "ui/app/surface_controller.h"
+#include "ui/commands/scene_commands.h"
 #include "ui/model/surface_look.h"
 #include "ui/view3d/surface_area.h"
 #include "ui/view3d/surface_overlay.h"
@@ -80,6 +81,30 @@ class SurfaceTest : public QObject {
     QVERIFY(quiet());
     QCOMPARE(driver_->scene().surface->mesh, std::string("solid:torus"));
     QVERIFY(hasPicture(surface().grab().toImage()));
+  }
+
+  void projectorAndPictureLayoutShowTheSurface() {
+    WindowDriver& d = *driver_;
+    d.canvasKey(Qt::Key_F11);
+    QVERIFY(!d.window().surfaceArea().isVisible());
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    QVERIFY(d.window().layouts().current() == Layouts::Kind::Projector);
+    QVERIFY(d.window().surfaceArea().isVisible());
+    QVERIFY(hasPicture(surface().grab().toImage()));
+    QVERIFY(d.canvas().isVisible());
+    d.window().layouts().use(Layouts::Kind::Picture);
+    QVERIFY(d.window().surfaceArea().isVisible());
+    d.window().layouts().use(Layouts::Kind::Work);
+    QVERIFY(!d.window().surfaceArea().isVisible());
+    // Where there are no curves there is no empty canvas, unless it would be all.
+    d.window().layouts().use(Layouts::Kind::Surface);
+    Scene bare = d.scene();
+    bare.curves.clear();
+    d.document().push(std::make_unique<ReplaceScene>(d.document(), bare, "bare"));
+    QVERIFY(!d.canvas().isVisible());
+    d.window().layouts().use(Layouts::Kind::Work);
+    QVERIFY(d.canvas().isVisible());
   }
 
   void aBadMeshIsToldInTheOnePlace() {

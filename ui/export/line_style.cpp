@@ -36,10 +36,11 @@ Rgb lineColour(LineFamily family, Palette palette) {
     case LineFamily::SelfIntersections:
       return dark ? Rgb{0xFF, 0x6E, 0x8A} : Rgb{0xB0, 0x10, 0x40};
     case LineFamily::Isophotes:
+      return dark ? Rgb{0x84, 0x88, 0x90} : Rgb{0x8A, 0x8C, 0x90};
     case LineFamily::Topographic:
       break;
   }
-  return scene.faint;
+  return dark ? Rgb{0xA8, 0x98, 0x78} : Rgb{0x93, 0x80, 0x5E};  // as on maps
 }
 
 std::string_view lineTitle(LineFamily family) {

@@ -2389,10 +2389,6 @@
         <translation>Keine Linien</translation>
     </message>
     <message>
-        <source>%1; derivative from neighbours</source>
-        <translation>%1; Ableitung aus Nachbarn</translation>
-    </message>
-    <message>
         <source>Difference: %1</source>
         <translation>Unterschied: %1</translation>
     </message>
@@ -2403,6 +2399,10 @@
     <message>
         <source>change lines</source>
         <translation>Linien ändern</translation>
+    </message>
+    <message>
+        <source>By neighbours: %1</source>
+        <translation>Aus Nachbarn: %1</translation>
     </message>
 </context>
 <context>
@@ -5591,6 +5591,14 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>|offset| / |feature| %1</source>
         <translation>|Versatz| / |Merkmal| %1</translation>
+    </message>
+    <message>
+        <source>linear to ±%1, then logarithmic</source>
+        <translation>linear bis ±%1, dann logarithmisch</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>logarithmisch</translation>
     </message>
 </context>
 <context>

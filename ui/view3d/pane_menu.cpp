@@ -81,7 +81,7 @@ QString paneWords(const SurfaceModels& models) {
   QString words =
       families.isEmpty() ? PaneWords::tr("No lines") : families.join(QStringLiteral(", "));
   if (pane.derivative == RidgeDerivative::OneRing) {
-    words = PaneWords::tr("%1; derivative from neighbours").arg(words);
+    words = PaneWords::tr("By neighbours: %1").arg(words);
   }
   if (pane.difference) words = PaneWords::tr("Difference: %1").arg(words);
   if (pane.ownCamera) words = PaneWords::tr("Second camera: %1").arg(words);
