@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Between flatland and surfaces in the real window, by mouse and keys.
 #include <Eigen/Geometry>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
@@ -211,6 +212,45 @@ class BridgingTest : public QObject {
     QVERIFY(quiet());
     QVERIFY((camera().up - seen.up).norm() < 1e-9);
     QVERIFY((camera().towards - seen.towards).norm() < 1e-9);
+  }
+
+  void theSurfaceKeepsToItsCurveWhenOthersGo() {
+    WindowDriver& d = *driver_;
+    d.trigger("curve.add");  // beside the first, and the one the menus are about
+    QCOMPARE(d.window().selection().currentCurve(), std::optional<std::size_t>(1));
+    extrude();
+    const Curve swept = d.scene().curves[1].shape;
+    QVERIFY(source().surface()->swept->surface.curve == swept);
+    QVERIFY(agrees());
+    const auto surfaceBefore = source().surface();
+    // A curve before it goes by its points: the surface stays, and is not even made anew.
+    d.canvas().setFocus();
+    QTest::keyClick(&d.canvas(), Qt::Key_Escape);
+    std::set<PointRef> points;
+    for (std::size_t i = 0; i < d.chain(0).points().size(); ++i) points.insert({0, i});
+    d.window().selection().setPoints(points);
+    d.canvasKey(Qt::Key_Delete);
+    QCOMPARE(d.scene().curves.size(), std::size_t{1});
+    QVERIFY(quiet());
+    QCOMPARE(d.scene().surface->swept->curve, std::size_t{0});
+    QVERIFY(source().surface() == surfaceBefore);
+    QCOMPARE(d.child<QComboBox>("bridge.curve").currentIndex(), 0);
+    // Its own curve goes: so does the surface, with the words about it.
+    d.window().selection().setCurrentCurve(0);
+    d.trigger("curve.remove");
+    QVERIFY(quiet());
+    QVERIFY(d.scene().curves.empty() && !d.scene().surface && !source().surface());
+    QVERIFY(!bridge().view() && !seen().seen());
+    // One step each; the lines come back with the surface.
+    d.trigger("edit.undo");
+    QVERIFY(quiet());
+    QVERIFY(source().surface()->swept->surface.curve == swept);
+    QVERIFY(agrees());
+    d.trigger("edit.undo");
+    QVERIFY(quiet());
+    QCOMPARE(d.scene().surface->swept->curve, std::size_t{1});
+    QVERIFY(source().surface()->swept->surface.curve == swept);
+    QCOMPARE(d.child<QComboBox>("bridge.curve").currentIndex(), 1);
   }
 
   void aSliceOfAMeshIsACurveWithMarks() {

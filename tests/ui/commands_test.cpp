@@ -6,7 +6,9 @@
 #include "flatland/io/input_error.h"
 #include "ui/commands/curve_commands.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/model/probe.h"
 #include "ui/model/stage.h"
+#include "ui/model/swept_surface.h"
 #include "ui/model/viewport.h"
 
 using namespace flatland;
@@ -38,6 +40,36 @@ void checkSwap(Fixture& f, std::unique_ptr<QUndoCommand> command) {
   QVERIFY(f.document.scene() == after);
   QCOMPARE(f.spy.count(), 3);
 }
+
+/// Five curves apart from each other; a surface is swept from one of them.
+Scene sweptScene(std::size_t swept) {
+  Scene scene;
+  for (int i = 0; i < 5; ++i) {
+    const double x = 10.0 * i;
+    scene.curves.push_back({BezierChain(Bezier{{{x, 0}, {x + 1, 2}, {x + 2, -2}, {x + 3, 1}}})});
+  }
+  scene.surface = sweptSetting(scene, swept, SweptSurface::Kind::Extrusion);
+  return scene;
+}
+
+/// A document of that; the shape that its surface is swept from.
+struct SweptFixture {
+  explicit SweptFixture(std::size_t swept)
+      : document(sweptScene(swept), "preset"), before(document.scene()) {}
+
+  Curve shape() { return sweptOf(document.scene())->curve; }
+  void removeCurves(const std::set<std::size_t>& curves) {
+    std::set<PointRef> points;
+    for (const std::size_t c : curves) {
+      for (std::size_t i = 0; i < 4; ++i) points.insert({c, i});
+    }
+    document.push(std::make_unique<RemovePoints>(document, withoutPoints(before, points)));
+  }
+
+  Document document;
+  Scene before;
+  QSignalSpy spy{&document, &Document::changed};
+};
 
 double farthestFrom(const BezierChain& a, const BezierChain& b) {
   double worst = 0.0;
@@ -130,6 +162,88 @@ class CommandsTest : public QObject {
     QVERIFY(f.document.scene().curves == std::vector<SceneCurve>{other});
     f.document.undoStack().undo();
     QVERIFY(f.document.scene().curves[0] == f.before.curves[0]);
+  }
+
+  void aSweptSurfaceStaysWithItsCurve() {
+    SweptFixture f(2);
+    const Curve swept = f.before.curves[2].shape;
+    f.document.push(std::make_unique<RemoveCurve>(f.document, 0));
+    QCOMPARE(f.document.scene().surface->swept->curve, std::size_t{1});
+    QVERIFY(f.shape() == swept);
+    f.document.push(std::make_unique<RemoveCurve>(f.document, 3));
+    QVERIFY(f.shape() == swept);
+    f.document.undoStack().undo();
+    f.document.undoStack().undo();
+    QVERIFY(f.document.scene() == f.before);
+    f.removeCurves({0, 1, 4});
+    QCOMPARE(f.document.scene().surface->swept->curve, std::size_t{0});
+    QVERIFY(f.shape() == swept);
+    QCOMPARE(f.spy.count(), 5);  // one each
+    // Looking is no edit: it outlasts undo.
+    SurfaceCamera camera = f.before.surface->camera;
+    camera.zoom = 2.0;
+    f.document.setCamera(camera);
+    f.document.undoStack().undo();
+    QVERIFY(f.shape() == swept);
+    QCOMPARE(f.document.scene().surface->camera.zoom, 2.0);
+    // A curve more changes nothing.
+    f.document.push(std::make_unique<AddCurve>(f.document, f.before.curves[0]));
+    QVERIFY(f.shape() == swept);
+  }
+
+  void aSweptSurfaceGoesWithItsCurve() {
+    for (const bool byPoints : {false, true}) {
+      SweptFixture f(2);
+      if (byPoints) {
+        f.removeCurves({0, 2});
+      } else {
+        f.document.push(std::make_unique<RemoveCurve>(f.document, 2));
+      }
+      QVERIFY(!f.document.scene().surface);
+      QCOMPARE(f.document.undoStack().count(), 1);
+      QVERIFY(f.spy.takeFirst().at(0).value<Change>().touchesSurface());
+      // Curves that come later are not swept.
+      f.document.push(std::make_unique<AddCurve>(f.document, f.before.curves[0]));
+      QVERIFY(!f.document.scene().surface);
+      f.document.undoStack().undo();
+      f.document.undoStack().undo();
+      QVERIFY(f.document.scene() == f.before);
+      QVERIFY(f.spy.takeLast().at(0).value<Change>().touchesSurface());
+      f.document.undoStack().redo();
+      QVERIFY(!f.document.scene().surface);
+      f.document.undoStack().undo();
+      QVERIFY(f.document.scene() == f.before);
+    }
+  }
+
+  void whatIsPickedOfACurveStaysThere() {
+    SweptFixture f(0);
+    Selection selection(f.document);
+    Probe probe(f.document);
+    selection.setPoints({{1, 0}, {3, 2}});
+    selection.setMark(keyOf(f.document.features(), f.document.features().marks.size() - 1));
+    QCOMPARE(selection.mark()->curve, 4);
+    selection.setCurrentCurve(3);
+    probe.setPlace(Probe::Place{3, 0.25});
+    const auto stays = [&](std::size_t curve) {
+      return selection.points() == std::set<PointRef>{{curve, 2}} &&
+             selection.mark()->curve == static_cast<int>(curve) + 1 &&
+             selection.currentCurve() == curve && probe.place()->curve == curve &&
+             std::abs(probe.place()->t - 0.25) < kSameShape;
+    };
+    f.removeCurves({1, 2});
+    QVERIFY(stays(1));
+    f.document.undoStack().undo();
+    QVERIFY(stays(3));
+    f.document.undoStack().redo();
+    QVERIFY(stays(1));
+    // Where the curve itself goes, so does what is picked of it.
+    f.document.push(std::make_unique<RemoveCurve>(f.document, 1));
+    QVERIFY(selection.points().empty());
+    QCOMPARE(selection.mark()->curve, 1);
+    QCOMPARE(probe.place()->curve, std::size_t{0});
+    f.document.push(std::make_unique<RemoveCurve>(f.document, 1));
+    QVERIFY(!selection.mark());
   }
 
   void setsTheView() {

@@ -76,6 +76,17 @@ CurvesCommand::CurvesCommand(Document& document, std::vector<SceneCurve> after, 
   setObsolete(curves_ == document_.scene().curves);
 }
 
+CurvesCommand::CurvesCommand(Document& document, std::vector<SceneCurve> after,
+                             std::vector<std::size_t> removed)
+    : CurvesCommand(document, std::move(after)) {
+  shift_.curves = std::move(removed);
+}
+
+void CurvesCommand::swap(const CurveShift& shift) {
+  if (shift.curves.empty()) return document_.swapCurves(curves_);
+  document_.swapCurves(curves_, shift, swept_);
+}
+
 int CurvesCommand::id() const { return gesture_ == kNoGesture ? -1 : kCurvesCommandId; }
 
 bool CurvesCommand::mergeWith(const QUndoCommand* other) {
@@ -138,7 +149,10 @@ PointRemoval withoutPoints(const Scene& scene, const std::set<PointRef>& points)
     for (const PointRef& ref : points) {
       if (ref.curve == c) indices.insert(ref.point);
     }
-    if (!indices.empty() && indices.size() == controlPoints(curve.shape).size()) continue;
+    if (!indices.empty() && indices.size() == controlPoints(curve.shape).size()) {
+      removal.removed.push_back(c);
+      continue;
+    }
     removal.curves.push_back(curve);
     if (indices.empty()) continue;
     EditResult result = withoutPoints(curve.shape, indices);
@@ -152,7 +166,7 @@ PointRemoval withoutPoints(const Scene& scene, const std::set<PointRef>& points)
 }
 
 RemovePoints::RemovePoints(Document& document, PointRemoval removal)
-    : CurvesCommand(document, std::move(removal.curves)) {
+    : CurvesCommand(document, std::move(removal.curves), std::move(removal.removed)) {
   assert(removal.possible());
   setText(tr("remove points"));
 }
@@ -168,7 +182,8 @@ AddCurves::AddCurves(Document& document, const std::vector<SceneCurve>& curves, 
 }
 
 RemoveCurve::RemoveCurve(Document& document, std::size_t curve)
-    : CurvesCommand(document, withoutCurve(document.scene().curves, curve)) {
+    : CurvesCommand(document, withoutCurve(document.scene().curves, curve),
+                    std::vector<std::size_t>{curve}) {
   setText(tr("remove curve"));
 }
 

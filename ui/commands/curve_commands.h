@@ -22,17 +22,24 @@ inline constexpr int kNoGesture = 0;
 /// ends where it began.
 class CurvesCommand : public QUndoCommand {
  public:
-  void undo() override { document_.swapCurves(curves_); }
-  void redo() override { document_.swapCurves(curves_); }
+  void undo() override { swap(shift_.back()); }
+  void redo() override { swap(shift_); }
   int id() const override;
   bool mergeWith(const QUndoCommand* other) override;
 
  protected:
   CurvesCommand(Document& document, std::vector<SceneCurve> after, int gesture = kNoGesture);
+  /// For curves that go as a whole: a surface that is swept from one of them goes with it.
+  CurvesCommand(Document& document, std::vector<SceneCurve> after,
+                std::vector<std::size_t> removed);
 
  private:
+  void swap(const CurveShift& shift);
+
   Document& document_;
   std::vector<SceneCurve> curves_;
+  CurveShift shift_;                     ///< of redo
+  std::optional<SurfaceSetting> swept_;  ///< that went with its curve
   int gesture_;
 };
 
@@ -94,7 +101,8 @@ class FlipNormal : public CurvesCommand {
 /// of whose points are named goes as a whole.
 struct PointRemoval {
   std::vector<SceneCurve> curves;
-  std::string reason;  ///< empty if the points can go
+  std::vector<std::size_t> removed;  ///< those that go as a whole, rising
+  std::string reason;                ///< empty if the points can go
 
   bool possible() const { return reason.empty(); }
 };

@@ -3,10 +3,26 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "flatland/io/scene_json.h"
 
 namespace flatland::ui {
+
+std::optional<std::size_t> CurveShift::after(std::size_t before) const {
+  std::size_t index = before;
+  if (!removed) {
+    for (const std::size_t curve : curves) {
+      if (curve <= index) ++index;
+    }
+    return index;
+  }
+  for (const std::size_t curve : curves) {
+    if (curve == before) return std::nullopt;
+    if (curve < before) --index;
+  }
+  return index;
+}
 
 Document::Document(Scene scene, const QString& originName, QObject* parent)
     : QObject(parent), scene_(std::move(scene)), origin_(scene_), originName_(originName) {}
@@ -55,14 +71,14 @@ void Document::replace(Scene scene, const QString& originName, std::filesystem::
   originName_ = originName;
   file_ = std::move(file);
   undoStack_.clear();
-  sceneChanged(Change::What::Scene);
+  sceneChanged({Change::What::Scene});
 }
 
-void Document::sceneChanged(Change::What what) {
+void Document::sceneChanged(const Change& change) {
   features_.reset();
   printedRoots_.reset();
   visibility_.reset();
-  emit changed({what});
+  emit changed(change);
 }
 
 void Document::push(std::unique_ptr<QUndoCommand> command) {
@@ -74,17 +90,36 @@ void Document::swapCurves(std::vector<SceneCurve>& curves) {
       curves.begin(), curves.end(), scene_.curves.begin(), scene_.curves.end(),
       [](const SceneCurve& a, const SceneCurve& b) { return sameTopology(a.shape, b.shape); });
   std::swap(scene_.curves, curves);
-  sceneChanged(samePoints ? Change::What::Points : Change::What::Topology);
+  sceneChanged({samePoints ? Change::What::Points : Change::What::Topology});
+}
+
+void Document::swapCurves(std::vector<SceneCurve>& curves, const CurveShift& shift,
+                          std::optional<SurfaceSetting>& swept) {
+  std::swap(scene_.curves, curves);
+  Change change{Change::What::Topology, shift};
+  if (swept) {
+    change.surfaceToo = true;
+    scene_.surface = std::exchange(swept, std::nullopt);
+  } else if (scene_.surface && scene_.surface->swept) {
+    std::size_t& index = scene_.surface->swept->curve;
+    if (const std::optional<std::size_t> after = shift.after(index)) {
+      index = *after;
+    } else {
+      change.surfaceToo = true;
+      swept = std::exchange(scene_.surface, std::nullopt);
+    }
+  }
+  sceneChanged(change);
 }
 
 void Document::swapView(View& view) {
   std::swap(scene_.view, view);
-  sceneChanged(Change::What::View);
+  sceneChanged({Change::What::View});
 }
 
 void Document::swapScene(Scene& scene) {
   std::swap(scene_, scene);
-  sceneChanged(Change::What::Scene);
+  sceneChanged({Change::What::Scene});
 }
 
 void Document::swapSurface(std::optional<SurfaceSetting>& surface) {

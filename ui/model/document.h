@@ -15,6 +15,16 @@
 
 namespace flatland::ui {
 
+/// Which curves have left the list, or come back into it; all others keep their order.
+struct CurveShift {
+  std::vector<std::size_t> curves = {};  ///< their indices in the longer list, rising
+  bool removed = true;                   ///< false: they came back
+
+  /// Where the curve is that was at an index before; nullopt if it has left.
+  std::optional<std::size_t> after(std::size_t before) const;
+  CurveShift back() const { return {curves, !removed}; }
+};
+
 /// What a change of the document touched, so that a view updates only what it shows of it.
 struct Change {
   enum class What {
@@ -27,10 +37,12 @@ struct Change {
     File,      ///< only the name of the file
   };
   What what;
+  CurveShift shift = {};    ///< with Topology: who keeps an index of a curve goes along
+  bool surfaceToo = false;  ///< with Topology: a swept surface came or went with its curve
 
   /// True if curves or their view are others.
   bool touchesScene() const { return what < What::Surface; }
-  bool touchesSurface() const { return what == What::Surface || what == What::Scene; }
+  bool touchesSurface() const { return what == What::Surface || what == What::Scene || surfaceToo; }
 };
 
 /// The scene being edited, its marks, its file and its undo stack: the one place where they live.
@@ -91,6 +103,11 @@ class Document : public QObject {
   // twice restores both, and sends `changed` once.
 
   void swapCurves(std::vector<SceneCurve>& curves);
+  /// The same where whole curves leave or come back. A surface that is swept from another curve
+  /// stays with that; one that is swept from a curve that leaves goes into `swept`, and comes back
+  /// from there.
+  void swapCurves(std::vector<SceneCurve>& curves, const CurveShift& shift,
+                  std::optional<SurfaceSetting>& swept);
   void swapView(View& view);
   void swapScene(Scene& scene);
   /// As long as the mesh stays, and which of its axes is upward, so do the cameras: looking from
@@ -107,7 +124,7 @@ class Document : public QObject {
 
  private:
   void replace(Scene scene, const QString& originName, std::filesystem::path file);
-  void sceneChanged(Change::What what);
+  void sceneChanged(const Change& change);
 
   Scene scene_;
   Scene origin_;

@@ -96,7 +96,8 @@ void Probe::follow(const Change& change) {
   } else if (!place_) {
     return;
   } else {
-    const std::optional<Place> kept = valid(place_);
+    const std::optional<std::size_t> curve = change.shift.after(place_->curve);
+    const std::optional<Place> kept = curve ? valid(Place{*curve, place_->t}) : std::nullopt;
     place_ = kept ? kept : home();  // another curve may be left when its own is gone
     if (kept && change.what == Change::What::Topology) {
       // Parameters count anew; the shape may not have changed at all.

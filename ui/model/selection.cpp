@@ -105,8 +105,32 @@ void Selection::documentChanged(const Change& change) {
     currentCurve_ = 0;
     clear();
   } else if (change.what == Change::What::Topology) {
-    setPoints(points_);
+    goAlong(change.shift);
   }
+}
+
+void Selection::goAlong(const CurveShift& shift) {
+  // The one beside it where the curve itself has left.
+  const std::size_t current = shift.after(currentCurve_).value_or(currentCurve_);
+  std::set<PointRef> points;
+  for (const PointRef& ref : points_) {
+    const std::optional<std::size_t> curve = shift.after(ref.curve);
+    if (curve && exists({*curve, ref.point})) points.insert({*curve, ref.point});
+  }
+  std::optional<MarkKey> mark = mark_;
+  if (mark) {
+    const auto curve = shift.after(static_cast<std::size_t>(mark->curve));
+    if (curve) {
+      mark->curve = static_cast<int>(*curve);
+    } else {
+      mark.reset();
+    }
+  }
+  if (current == currentCurve_ && points == points_ && mark == mark_) return;
+  currentCurve_ = current;
+  points_ = std::move(points);
+  mark_ = mark;
+  emit changed();
 }
 
 std::set<PointRef> Selection::allPoints() const {

@@ -35,7 +35,8 @@ MarkKey keyOf(const FeatureSet& features, std::size_t index);
 std::optional<std::size_t> indexOf(const FeatureSet& features, const MarkKey& key);
 
 /// What the person has picked: control points, one mark, and the curve the Curve menu works on.
-/// Points that vanish from the document leave the selection by themselves.
+/// Points that vanish from the document leave the selection by themselves; what is picked of a
+/// curve stays picked when others leave or come back.
 class Selection : public QObject {
   Q_OBJECT
 
@@ -68,6 +69,7 @@ class Selection : public QObject {
 
  private:
   void documentChanged(const Change& change);
+  void goAlong(const CurveShift& shift);
   std::set<PointRef> allPoints() const;
   bool exists(const PointRef& point) const;
 
