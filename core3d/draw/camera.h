@@ -19,9 +19,9 @@ struct Camera {
       Eigen::Vector3d::UnitZ();  ///< from the mesh to the viewer, any length > 0
   Eigen::Vector3d up =
       Eigen::Vector3d::UnitY();  ///< appears upward; if along `towards`, another axis is taken
-  std::optional<double>
-      perspectiveDeg;  ///< vertical field of view in (0, 180); empty: orthographic
-  double zoom = 1.0;   ///< > 1: larger than fitted, as by a longer lens from the same place
+  /// Vertical field of view within the limits of flatland/view/perspective.h; empty: orthographic.
+  std::optional<double> perspectiveDeg;
+  double zoom = 1.0;  ///< > 1: larger than fitted, as by a longer lens from the same place
   /// Seen in the middle of the picture, coordinates of the mesh. Then not the mesh is fitted but
   /// the ball about 0 that holds it (projectionOfBall). Empty: the middle of what is fitted.
   std::optional<Eigen::Vector3d> centre = {};

@@ -18,7 +18,8 @@ struct SurfaceCamera {
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();     ///< on the picture; not along `towards`
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< seen in the middle of the picture
   double zoom = 1.0;                                 ///< > 1: larger than fitted
-  std::optional<double> perspectiveDeg;  ///< vertical field of view in (0, 180); empty: none
+  /// Vertical field of view within the limits of flatland/view/perspective.h; empty: none.
+  std::optional<double> perspectiveDeg;
 
   bool operator==(const SurfaceCamera&) const = default;
 };

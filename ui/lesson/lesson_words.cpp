@@ -22,17 +22,13 @@ QString plain(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toHtmlEscaped();
 }
 
-QString number(double value, int digits) {
-  return QString::number(value, 'g', digits).replace('-', QChar(0x2212));
-}
-
 QString valueText(const StepValue& value) {
   QStringList rows;
   for (int r = 0; r < value.rows; ++r) {
     QStringList row;
     for (int c = 0; c < value.columns; ++c) {
-      row << number(value.entries[static_cast<std::size_t>(r * value.columns + c)],
-                    value.columns > 1 ? kMatrixDigits : kDigits);
+      row << numberForPeople(value.entries[static_cast<std::size_t>(r * value.columns + c)],
+                             value.columns > 1 ? kMatrixDigits : kDigits);
     }
     rows << row.join("&nbsp;&nbsp;");
   }
@@ -63,8 +59,8 @@ QString whyNot(StepAnswer answer) {
 
 QString missText(const PrintedRoot& root) {
   return Words::tr("%1 (%2 % of the curve)")
-      .arg(number(*root.alongToApparentRidge, kMissDigits),
-           number(100.0 * *root.shareToApparentRidge, kMissDigits));
+      .arg(numberForPeople(*root.alongToApparentRidge, kMissDigits),
+           numberForPeople(100.0 * *root.shareToApparentRidge, kMissDigits));
 }
 
 }  // namespace
@@ -90,11 +86,15 @@ QString eachMissForPeople(const PrintedRoots& printed) {
     if (lines.size() == kMostLines) return lines.join('\n') + QStringLiteral("\n…");
     lines << (root.alongToApparentRidge
                   ? Words::tr("at arc length %1: off the nearest apparent ridge by %2")
-                        .arg(number(root.u, kDigits), missText(root))
+                        .arg(numberForPeople(root.u, kDigits), missText(root))
                   : Words::tr("at arc length %1: no apparent ridge on the curve")
-                        .arg(number(root.u, kDigits)));
+                        .arg(numberForPeople(root.u, kDigits)));
   }
   return lines.join('\n');
+}
+
+QString numberForPeople(double value, int digits) {
+  return QString::number(value, 'g', digits).replace('-', QChar(0x2212));
 }
 
 QString valuesForPeople(const DerivationStepText& text, const std::optional<StepReading>& reading,

@@ -9,6 +9,9 @@
 
 namespace flatland::ui {
 
+/// A number of so many digits, with a true minus sign and a point: as formulas have it.
+QString numberForPeople(double value, int digits = 4);
+
 /// Both sides, how far they are apart and the residual, as rich text of three lines; or why there
 /// are none.
 QString valuesForPeople(const DerivationStepText& text, const std::optional<StepReading>& reading,

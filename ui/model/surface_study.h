@@ -29,7 +29,8 @@ class SurfaceStudy : public QObject {
   SurfacePick& pick() { return pick_; }
   /// Empty without a pick or fields, and where the normal is unknown.
   const std::optional<SurfacePlace>& place() const { return place_; }
-  /// Null until it is found; of the last camera until that of the next is there.
+  /// Null until it is found. Of the last camera, threshold or triangle until that of the next is
+  /// there, and as it was left while nobody wants triangles.
   const std::shared_ptr<const TriangleLesson>& lesson() const { return lesson_; }
   /// True while lesson() is of another camera.
   bool isStale() const { return job_.isStale(); }

@@ -16,13 +16,12 @@ namespace flatland::ui {
 
 namespace {
 
-QString number(double value) { return QString::number(value, 'g', 4).replace('-', QChar(0x2212)); }
 QString row(const QString& name, const QString& value) {
   return QStringLiteral("<tr><td>%1&nbsp;</td><td>=&nbsp;%2</td></tr>").arg(name, value);
 }
 QString list(const Eigen::VectorXd& v) {
   QStringList parts;
-  for (const double x : v) parts << number(x);
+  for (const double x : v) parts << numberForPeople(x);
   return parts.join("&nbsp; ");
 }
 QString matrix(const Eigen::Matrix2d& m) {
@@ -144,15 +143,16 @@ QString DerivationPanel::matrices(const SurfacePlace& place) const {
   const SurfaceMatrices m = surfaceMatrices(place);
   const auto& c = place.point.C.coefficients;
   QString rows = row("K", matrix(m.K)) + row("C", list(Eigen::Vector4d(c[0], c[1], c[2], c[3]))) +
-                 row("w<sub>T</sub>", list(m.wT)) + row("n·w", number(m.nw)) +
+                 row("w<sub>T</sub>", list(m.wT)) + row("n·w", numberForPeople(m.nw)) +
                  row("P", matrix(m.P));
   if (m.seen) {
     rows += row("P⁻¹", matrix(m.inverseP)) + row("Q", matrix(m.Q)) + row("QᵀQ", matrix(m.QtQ)) +
-            row("λ", tr("%1, the other %2").arg(number(m.seen->lambda), number(m.otherLambda))) +
+            row("λ", tr("%1, the other %2")
+                         .arg(numberForPeople(m.seen->lambda), numberForPeople(m.otherLambda))) +
             row("t<sub>A</sub>", list(m.tA)) + row("r", list(m.seen->r)) +
             row("½ D λ", tr("feature %1, offset %2, perspective %3")
-                             .arg(number(m.seen->feature), number(m.seen->offset),
-                                  number(m.seen->perspective)));
+                             .arg(numberForPeople(m.seen->feature), numberForPeople(m.seen->offset),
+                                  numberForPeople(m.seen->perspective)));
   }
   return "<table cellspacing='0' style='white-space: nowrap'>" + rows + "</table>";
 }

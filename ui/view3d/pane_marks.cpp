@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/export/figure_qt.h"
 #include "ui/model/theme.h"
 #include "ui/view3d/surface_picture.h"
 
@@ -80,7 +81,7 @@ int paintDifferenceLegend(QPainter& painter, const QRect& bounds, const SurfaceM
   for (qsizetype i = 0; i < lines.size(); ++i) {
     const int top = box.top() + static_cast<int>(i) * height;
     const Rgb c = differenceColour(static_cast<std::size_t>(i), palette);
-    painter.fillRect(box.left(), top + height / 2 - 1, kSamplePx, 3, QColor(c.r, c.g, c.b));
+    painter.fillRect(box.left(), top + height / 2 - 1, kSamplePx, 3, toQColor(c));
     painter.drawText(QRect(box.left() + kSamplePx + gap, top, width, height), Qt::AlignLeft,
                      lines[i]);
   }

@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include "core3d/study/surface_derivation.h"
+#include "ui/export/figure_qt.h"
 #include "ui/export/mark_style.h"
 #include "ui/model/theme.h"
 #include "ui/view3d/arrow.h"
@@ -15,8 +16,6 @@ namespace {
 constexpr double kRingPx = 5.0;
 constexpr double kArrowShare = 0.22;  ///< of the surface's size: a direction on the surface
 constexpr double kArrowPx = 46.0;     ///< of a direction on the screen
-
-QColor colourOf(const Rgb& c) { return {c.r, c.g, c.b}; }
 
 /// What is drawn with: the ground below makes ink readable on any picture.
 struct Pens {
@@ -56,7 +55,7 @@ void paintDirections(QPainter& painter, const SurfaceModels& models, const Proje
   const SurfaceMatrices matrices = surfaceMatrices(*place);
   if (!matrices.seen || matrices.tA.isZero()) return;
   Pens orange = pens;
-  orange.ink = colourOf(styleOf(MarkKind::ApparentRidge, themePalette()).colour);
+  orange.ink = toQColor(styleOf(MarkKind::ApparentRidge, themePalette()).colour);
   const QPointF tA = kArrowPx * pens.scale * QPointF(matrices.tA.x(), -matrices.tA.y());
   paintNamedArrow(painter, middle, middle + tA, orange, 2.5, 0.5, QStringLiteral("t_A"));
 }

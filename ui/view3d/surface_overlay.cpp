@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/export/figure_qt.h"
 #include "ui/model/bridge_ticks.h"
 #include "ui/model/bridge_words.h"
 #include "ui/model/core_words.h"
@@ -177,8 +178,8 @@ void SurfaceOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const SurfacePicture picture = pictureOf(models_);
   const SceneColours& colours = sceneColours(picture.palette);
-  painter.setPen(QColor(colours.text.r, colours.text.g, colours.text.b));
-  painter.setBackground(QColor(colours.background.r, colours.background.g, colours.background.b));
+  painter.setPen(toQColor(colours.text));
+  painter.setBackground(toQColor(colours.background));
   if (picture.surface) {
     const Projection projection =
         orbitProjection(picture.setting.camera, picture.surface->ballRadius, width(), height());
@@ -213,7 +214,7 @@ int SurfaceOverlay::paintLegend(QPainter& painter) {
              Qt::AlignRight | Qt::AlignBottom);
   for (int x = 0; x < box.width(); ++x) {
     const Rgb c = scale.at((x + 0.5) / box.width(), picture.palette);
-    painter.fillRect(box.left() + x, box.top(), 1, box.height(), QColor(c.r, c.g, c.b));
+    painter.fillRect(box.left() + x, box.top(), 1, box.height(), toQColor(c));
   }
   painter.drawRect(box.adjusted(0, 0, -1, -1));
   for (const double tick : scale.ticks()) {

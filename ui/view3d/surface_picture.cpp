@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ui/export/figure_cells.h"
+#include "ui/export/figure_qt.h"
 #include "ui/model/orbit.h"
 #include "ui/model/theme.h"
 #include "ui/view3d/pane_menu.h"
@@ -406,10 +407,9 @@ QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& s
   if (pictures.size() == 1) return paintSurface(pictures.front(), size);
   QImage all(size, QImage::Format_RGB32);
   const SceneColours& colours = sceneColours(pictures.front().palette);
-  const auto shade = [](Rgb c) { return QColor(c.r, c.g, c.b); };
-  all.fill(shade(colours.background));
+  all.fill(toQColor(colours.background));
   QPainter painter(&all);
-  painter.setPen(shade(colours.text));
+  painter.setPen(toQColor(colours.text));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const CellPlace place = cellPlace(i, pictures.size(), size.width(), size.height());
     const QRect cell = QRectF(place.left, place.top, place.width, place.height).toRect();

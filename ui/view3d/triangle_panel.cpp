@@ -8,13 +8,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/lesson/lesson_words.h"
+
 namespace flatland::ui {
-
-namespace {
-
-QString number(double value) { return QString::number(value, 'g', 4).replace('-', QChar(0x2212)); }
-
-}  // namespace
 
 QString verdictForPeople(const TriangleLesson& lesson) {
   QString sentence;
@@ -35,7 +31,7 @@ QString verdictForPeople(const TriangleLesson& lesson) {
       return TrianglePanel::tr("Dropped: t_A turns too far from corner to corner.");
     case RidgeVerdict::Weak:
       return TrianglePanel::tr("Dropped: √λ is below the threshold %1.")
-          .arg(number(lesson.threshold));
+          .arg(numberForPeople(lesson.threshold));
     case RidgeVerdict::Minimum:
       return TrianglePanel::tr(
           "Dropped: a direction points away from the line, so it is a minimum.");
@@ -171,8 +167,8 @@ QString TrianglePanel::numbers(const TriangleLesson& lesson) const {
                 "<tr><td>%1&nbsp;</td><td>%2&nbsp;</td><td>%3&nbsp;</td><td>%4&nbsp;"
                 "</td><td>%5</td></tr>")
                 .arg(QString(QChar('A' + static_cast<int>(k))) + (corner.flipped ? "↔" : ""),
-                     number(corner.lambda), number(corner.derivative),
-                     number(corner.ringDerivative), cosines.join(", "));
+                     numberForPeople(corner.lambda), numberForPeople(corner.derivative),
+                     numberForPeople(corner.ringDerivative), cosines.join(", "));
   }
   return "<table cellspacing='0'>" + rows + "</table>";
 }

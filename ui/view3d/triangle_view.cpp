@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/export/figure_qt.h"
 #include "ui/export/mark_style.h"
 #include "ui/model/theme.h"
 #include "ui/view3d/arrow.h"
@@ -22,8 +23,6 @@ using Lesson = TriangleLesson;
 constexpr double kTriangleShare = 0.52;  ///< of the smaller side: there is room for arrows
 constexpr double kArrowShare = 0.2;      ///< of the same
 constexpr double kDotPx = 3.5;
-
-QColor colourOf(const Rgb& c) { return {c.r, c.g, c.b}; }
 
 }  // namespace
 
@@ -77,12 +76,12 @@ void TriangleView::paintEvent(QPaintEvent*) {
   const SceneColours& colours = sceneColours(themePalette());
   Sheet sheet;
   sheet.ui = display_.uiScale();
-  sheet.text = colourOf(colours.text);
-  sheet.faint = colourOf(colours.faint);
-  sheet.ground = colourOf(colours.background);
-  sheet.line = colourOf(styleOf(MarkKind::ApparentRidge, themePalette()).colour);
-  sheet.good = colourOf(styleOf(MarkKind::Inflection, themePalette()).colour);
-  sheet.bad = colourOf(styleOf(MarkKind::Ridge, themePalette()).colour);
+  sheet.text = toQColor(colours.text);
+  sheet.faint = toQColor(colours.faint);
+  sheet.ground = toQColor(colours.background);
+  sheet.line = toQColor(styleOf(MarkKind::ApparentRidge, themePalette()).colour);
+  sheet.good = toQColor(styleOf(MarkKind::Inflection, themePalette()).colour);
+  sheet.bad = toQColor(styleOf(MarkKind::Ridge, themePalette()).colour);
   painter.fillRect(rect(), sheet.ground);
   if (!lesson_) return;
   const auto& corners = lesson_->corners;
