@@ -201,7 +201,7 @@ RidgeVerdict TriangleStudy::State::verdictOf(const SeenMesh& sight, const Orient
 }
 
 TriangleLesson TriangleStudy::lesson(std::uint32_t triangle, const SurfaceView& view,
-                                     double threshold) {
+                                     double threshold, bool unfiltered) {
   State& s = *state_;
   const LineOptions options = optionsFor(threshold);
   const VertexNeeds needs{
@@ -214,16 +214,19 @@ TriangleLesson TriangleStudy::lesson(std::uint32_t triangle, const SurfaceView& 
   TriangleLesson lesson;
   lesson.triangle = triangle;
   lesson.threshold = threshold;
+  lesson.unfiltered = unfiltered;
   const auto& v = s.mesh.triangles[triangle];
   for (std::size_t k = 0; k < 3; ++k) lesson.corners[k] = s.cornerAt(view, v[k]);
-  const OrientedFace face = apparentRidgeFace(sight, triangle, true);
+  const OrientedFace face = apparentRidgeFace(sight, triangle, !unfiltered);
   for (std::size_t k = 0; k < 3; ++k) {
     lesson.opposed[k] = face.r[k].dot(face.r[(k + 1) % 3]) < 0.0f;
   }
   s.addCrossings(sight, orientedCrossings(face), lesson);
   s.addPieces(sight, face, lesson);
   lesson.verdict = s.verdictOf(sight, face, lesson);
-  const FeatureLines lines = s.finder.find(view, options);
+  LineOptions asked = options;
+  asked.unfiltered = unfiltered;
+  const FeatureLines lines = s.finder.find(view, asked);
   for (const LineSegment& segment : lines.of(LineFamily::ApparentRidges)) {
     if (segment.triangle != triangle) continue;
     const auto own =

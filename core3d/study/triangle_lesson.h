@@ -86,13 +86,14 @@ struct TriangleLesson {
   std::vector<Crossing> crossings;
   std::vector<Piece> pieces;  ///< 1 for two crossings, 3 for three
   double threshold = 0.0;
+  bool unfiltered = false;  ///< every crossing is drawn; the verdict is what the filters would say
   RidgeVerdict verdict = RidgeVerdict::NoCrossing;
 
   /// What the whole walk drew. It takes the last word on a piece (`standsOut`) from the triangle
   /// before on the same line where there is one, so here and there a piece that is Flat by itself
   /// is drawn, or one that is Kept is not.
   bool drawn = false;
-  bool followsNeighbour() const { return drawn != (verdict == RidgeVerdict::Kept); }
+  bool followsNeighbour() const { return !unfiltered && drawn != (verdict == RidgeVerdict::Kept); }
 };
 
 /// Tells it for triangles of one mesh, view after view. `mesh` and `fields` outlive it.
@@ -101,9 +102,12 @@ class TriangleStudy {
   TriangleStudy(const TriangleMesh& mesh, const SurfaceFields& fields);
   ~TriangleStudy();
 
-  /// With the closed form of the derivative, as lines are found by default. A search over the whole
-  /// mesh: some milliseconds for a hundred thousand triangles. Not for several threads at once.
-  TriangleLesson lesson(std::uint32_t triangle, const SurfaceView& view, double threshold);
+  /// With the closed form of the derivative, as lines are found by default. `unfiltered` as in
+  /// LineOptions, where crossings lie at the zeros of the derivative itself. A search over the
+  /// whole mesh: some milliseconds for a hundred thousand triangles. Not for several threads at
+  /// once.
+  TriangleLesson lesson(std::uint32_t triangle, const SurfaceView& view, double threshold,
+                        bool unfiltered = false);
 
  private:
   struct State;

@@ -120,6 +120,39 @@ TEST(TriangleLesson, DecidesAsTheWalkOnSolids) {
   }
 }
 
+TEST(TriangleLesson, UnfilteredEveryCrossingIsDrawn) {
+  const SolidModel model =
+      modelOf({SolidKind::BumpySphere, 1.0, 0.1, 5.0}, {.cells = 12, .irregular = true});
+  const SurfaceView view = viewFrom({0.4, 0.3, 1.0});
+  LineOptions options = only({LineFamily::ApparentRidges});
+  options.unfiltered = true;
+  std::map<std::uint32_t, std::vector<LineSegment>> walked;
+  const FeatureLines lines = LineFinder(model.mesh, model.fields).find(view, options);
+  for (const LineSegment& segment : lines.of(LineFamily::ApparentRidges)) {
+    walked[segment.triangle].push_back(segment);
+  }
+  TriangleStudy study(model.mesh, model.fields);
+  std::map<RidgeVerdict, int> drawn;
+  for (std::uint32_t t = 0; t < model.mesh.triangleCount(); ++t) {
+    SCOPED_TRACE(t);
+    const TriangleLesson lesson = study.lesson(t, view, 2.0, true);
+    const auto found = walked.find(t);
+    ASSERT_EQ(lesson.drawn, found != walked.end());
+    EXPECT_EQ(lesson.drawn, !lesson.crossings.empty());
+    EXPECT_FALSE(lesson.followsNeighbour());
+    if (!lesson.drawn) continue;
+    ASSERT_EQ(lesson.pieces.size(), found->second.size());
+    for (const TriangleLesson::Piece& piece : lesson.pieces) EXPECT_TRUE(piece.drawn);
+    ++drawn[lesson.verdict];
+  }
+  // The verdict is that of the filters all the same.
+  for (const RidgeVerdict verdict :
+       {RidgeVerdict::TurnedAway, RidgeVerdict::Weak, RidgeVerdict::Minimum, RidgeVerdict::Kept}) {
+    EXPECT_GT(drawn[verdict], 0) << nameOf(verdict);
+  }
+  EXPECT_EQ(drawn[RidgeVerdict::NoCrossing], 0);
+}
+
 TEST(TriangleLesson, TellsOfACubeThatItIsCreased) {
   PolygonSoup soup;
   for (int i = 0; i < 8; ++i) soup.addVertex(i & 1, (i >> 1) & 1, (i >> 2) & 1);
