@@ -14,6 +14,7 @@
 #include "tests/ui/support_window.h"
 #include "ui/app/layouts.h"
 #include "ui/app/surface_controller.h"
+#include "ui/commands/scene_commands.h"
 #include "ui/flat/crossing_overlay.h"
 #include "ui/model/bridge_words.h"
 #include "ui/model/cutting_plane.h"
@@ -21,6 +22,7 @@
 #include "ui/model/surface_look.h"
 #include "ui/plot/bridge_study.h"
 #include "ui/view3d/surface_area.h"
+#include "ui/view3d/surface_picture.h"
 
 using namespace flatland;
 using namespace flatland::ui;
@@ -187,6 +189,64 @@ class BridgingTest : public QObject {
     QVERIFY(agrees());
   }
 
+  void viewsThatDoNotMatchAreNotLinked() {
+    extrude();
+    WindowDriver& d = *driver_;
+    const ViewLink& link = d.window().bridges().link;
+    Scene other = d.scene();
+    QVERIFY(link.isOn());
+    other.view.angleDeg += 40.0;
+    d.document().start(other, "other");
+    // At once, and not only when the window has come to it.
+    QVERIFY(!link.isOn());
+    const View view = d.scene().view;
+    d.document().setCamera(spun(camera(), 0.2));
+    QVERIFY(d.scene().view == view);
+    QVERIFY(!d.document().isModified());
+    // A section is cut beside the window's thread: whose plane the curves are in is known late.
+    d.document().start(defaultScene(), "mine");
+    d.window().bridges().link.setOn(true);
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    d.trigger("surface.plane.view");
+    QVERIFY(quiet());
+    d.trigger("surface.plane.open");
+    QVERIFY(quiet());
+    QVERIFY(link.isOn());
+    const Scene matching = d.scene();
+    other = matching;
+    other.view.angleDeg -= 40.0;
+    for (const bool matches : {false, true}) {
+      d.document().start(defaultScene(), "mine");
+      QVERIFY(quiet());
+      d.window().bridges().link.setOn(true);
+      d.document().start(matches ? matching : other, "section");
+      QVERIFY(quiet());
+      QVERIFY(section().isInFlatland());
+      QCOMPARE(link.isOn(), matches);
+    }
+  }
+
+  void predictedLinesAreDashedOnce() {
+    extrude();
+    WindowDriver& d = *driver_;
+    d.trigger("surface.compare.two");
+    QVERIFY(quiet());
+    const SurfaceModels models = d.window().surfaceModels();
+    const auto dashes = [&](std::size_t pane) { return pictureOf(models.of(pane)).marks; };
+    const std::vector<MarkLines> first = dashes(0);
+    QVERIFY(!first.empty() && !first.front().ends->empty());
+    QCOMPARE(first.size(), bridge().view()->prediction.lines().size());
+    for (const std::size_t pane : {0, 1}) {
+      const std::vector<MarkLines> again = dashes(pane);
+      for (std::size_t i = 0; i < first.size(); ++i) QVERIFY(again[i].ends == first[i].ends);
+    }
+    // Of another curve they are others.
+    d.drag(d.atPoint(2), d.atPoint(2) + QPoint(24, -16));
+    QVERIFY(quiet());
+    QVERIFY(dashes(0).front().ends != first.front().ends);
+  }
+
   void aHeightOfNothingIsNotTaken() {
     extrude();
     WindowDriver& d = *driver_;
@@ -351,13 +411,45 @@ class BridgingTest : public QObject {
     QVERIFY(!d.scene().surface->plane);
     QVERIFY(quiet());
     QVERIFY(!section().view());
-    // Of a swept surface the section would replace the curve it is swept from.
-    d.trigger("surface.extrude");
-    d.trigger("surface.plane.view");
+  }
+
+  void aSectionOfAnExtrusionIsTheCurveStretched() {
+    extrude();
+    WindowDriver& d = *driver_;
+    const Scene before = d.scene();
+    // Across x and z by 45 degrees: y stays as it is, and x becomes sqrt(2) times as long.
+    SurfaceSetting setting = *before.surface;
+    setting.plane =
+        SurfacePlane{Eigen::Vector3d::Zero(), Eigen::Vector3d(1.0, 0.0, 1.0).normalized()};
+    setting.swept->amount = 20.0;  // so high that the plane cuts all of it
+    d.document().push(std::make_unique<SetSurface>(d.document(), setting, "cut"));
     QVERIFY(quiet());
-    QVERIFY(section().view() && !section().view()->lines.empty());
-    d.trigger("surface.plane.open");
+    QVERIFY(section().view() && !section().view()->section.scene.curves.empty());
+    const CutPlane plane = section().view()->section.plane;
+    QTest::mouseClick(&showSection(), Qt::LeftButton);
+    QVERIFY(quiet());
+    QCOMPARE(d.document().undoStack().text(0), QString("extrude curve"));
+    QVERIFY(!d.scene().surface && !source().surface() && !section().view());
+    QCOMPARE(d.scene().curves.size(), std::size_t{1});
+    const Curve& cut = d.scene().curves.front().shape;
+    double farthest = 0.0, longest = 0.0;
+    for (int i = 0; i <= 100; ++i) {
+      const Vec2 p = pointAt(cut, pieceCount(cut) * i / 100.0);
+      const Eigen::Vector3d q = plane.inSpace(p);
+      farthest =
+          std::max(farthest, nearestPoint(before.curves[0].shape, Vec2(q.head<2>())).distance);
+      longest = std::max(longest, std::abs(q.z() - plane.inSpace({0.0, 0.0}).z()));
+    }
+    QVERIFY2(farthest < 0.02, qPrintable(QString::number(farthest)));
+    QVERIFY(longest > 0.5);
+    d.trigger("edit.undo");
+    QVERIFY(quiet());
     QVERIFY(d.scene().curves == before.curves);
+    QVERIFY(source().surface() && source().surface()->swept);
+    QVERIFY(d.scene().surface->plane);
+    d.trigger("edit.redo");
+    QVERIFY(quiet());
+    QVERIFY(!d.scene().surface);
   }
 
   void handlesMoveAndTurnThePlane() {
@@ -495,6 +587,11 @@ class BridgingTest : public QObject {
   }
 
  private:
+  QPushButton& showSection() {
+    driver_->window().docks().show("section");
+    driver_->settle();
+    return driver_->child<QPushButton>("section.open");
+  }
   QWidget& surface() { return *driver_->window().surfaceArea().canvas(); }
   const SurfaceCamera& camera() { return driver_->scene().surface->camera; }
   SurfaceSource& source() { return driver_->window().surfaceModels().source; }

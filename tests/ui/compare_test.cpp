@@ -3,15 +3,21 @@
 // keys.
 #include <QDoubleSpinBox>
 #include <QMenu>
+#include <QPainter>
+#include <QTextBrowser>
 #include <QToolButton>
 
 #include "core3d/draw/draughtsman.h"
 #include "tests/ui/support_window.h"
 #include "ui/app/surface_controller.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/export/figure_qt.h"
+#include "ui/export/mark_style.h"
 #include "ui/model/compare_presets.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
+#include "ui/model/theme.h"
+#include "ui/view3d/pick_marks.h"
 #include "ui/view3d/surface_area.h"
 #include "ui/view3d/surface_overlay.h"
 
@@ -157,6 +163,85 @@ class CompareTest : public QObject {
     QVERIFY(camera(1) == moved);
   }
 
+  void aSecondCameraTellsOfTheFirst() {
+    open();
+    // With one camera nobody has to say whose numbers they are.
+    QMouseEvent over(QEvent::MouseMove, middleOf(0), canvas(0)->mapToGlobal(middleOf(0)),
+                     Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(canvas(0), &over);
+    QTRY_VERIFY(overlay(0).reading() && overlay(0).reading()->terms);
+    QVERIFY(!overlay(0).readingLines().join('\n').contains("view 1"));
+    driver_->trigger("surface.compare.camera");
+    QVERIFY(quiet());
+    driver_->window().docks().show("surface-derivation");
+    driver_->settle();
+    // What a click in the second view picks is the vertex that the pointer reads there.
+    QTest::mouseClick(canvas(1), Qt::LeftButton, {}, middleOf(1));
+    const SurfaceModels models = driver_->window().surfaceModels();
+    QVERIFY(models.pick.hit());
+    QMouseEvent again(QEvent::MouseMove, middleOf(1), canvas(1)->mapToGlobal(middleOf(1)),
+                      Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(canvas(1), &again);
+    QTRY_VERIFY(overlay(1).reading() && overlay(1).reading()->terms);
+    const SurfaceReading& reading = *overlay(1).reading();
+    const std::uint32_t vertex = models.pick.vertex();
+    QCOMPARE(reading.vertex, vertex);
+    const LoadedSurface& surface = *models.source.surface();
+    const auto termsFrom = [&](const SurfaceCamera& from) {
+      const SurfaceView view = orbitProjection(from, surface.ballRadius, 50, 80).view();
+      return *termsAt(*surface.mesh, *surface.fields, view, vertex);
+    };
+    const SurfaceTerms first = termsFrom(camera(0)), second = termsFrom(camera(1));
+    QVERIFY(std::abs(first.nw - second.nw) > 0.05);
+    QCOMPARE(reading.terms->nw, first.nw);
+    QCOMPARE(*reading.terms->lambda, *first.lambda);
+    QCOMPARE(reading.terms->feature, first.feature);
+    QCOMPARE(reading.terms->offset, first.offset);
+    // The panel has the same numbers, and both say whose they are.
+    const QString words = overlay(1).readingLines().join('\n');
+    QVERIFY2(words.contains("As view 1 sees it"), qPrintable(words));
+    const QString panel = driver_->child<QTextBrowser>("derivation.text").toPlainText();
+    QVERIFY2(panel.contains("As view 1 sees it"), qPrintable(panel.left(200)));
+    QVERIFY2(panel.contains(QString::number(*first.lambda, 'g', 4)), qPrintable(panel.left(600)));
+    // The arrows: t_A on the screen of the first view, and what it is the picture of from
+    // elsewhere.
+    QVERIFY(arrowPoints(models, 0, first.r));
+    QVERIFY(arrowPoints(models.of(1), 1, first.r));
+    QVERIFY(!arrowPoints(models.of(1), 1, second.r));
+    QVERIFY(models.study.place());
+    QVERIFY(!overlay(1).readingLines().filter("perspective").size());
+  }
+
+  void anotherMeshIsFramedAnewInEveryView() {
+    open();
+    driver_->trigger("surface.compare.camera");
+    QVERIFY(quiet());
+    drag(0, {60, 60}, {110, 90});
+    drag(1, {60, 60}, {90, 140});
+    QTest::keyClick(canvas(1), Qt::Key_Plus);
+    const SurfaceCamera moved = camera(1);
+    driver_->window().surfaces().openSolid("torus:24");
+    QVERIFY(quiet());
+    const SurfaceCamera home = homeCamera(Eigen::Vector3d::UnitY());
+    QVERIFY(camera(0) == home);
+    QCOMPARE(camera(1).zoom, home.zoom);
+    QVERIFY(camera(1).centre == home.centre);
+    QVERIFY(std::abs(camera(1).towards.dot(home.towards)) < 1e-9);  // from the side
+    // The old mesh is seen again as it was.
+    driver_->trigger("edit.undo");
+    QVERIFY(quiet());
+    QVERIFY(camera(1) == moved);
+    // A curve that is swept is another surface, and so is the next way of sweeping.
+    driver_->trigger("surface.extrude");
+    QVERIFY(quiet());
+    QVERIFY(!(camera(1) == moved));
+    const SurfaceCamera extruded = camera(1);
+    drag(1, {60, 60}, {90, 140});
+    driver_->trigger("surface.extrude");
+    QVERIFY(quiet());
+    QVERIFY(camera(1) == extruded);
+  }
+
   void neighboursGiveOtherApparentRidges() {
     open();
     driver_->trigger("surface.compare.derivatives");
@@ -248,6 +333,41 @@ class CompareTest : public QObject {
  private:
   SurfaceViews& views() { return driver_->window().surfaceModels().views; }
   QWidget* canvas(std::size_t pane) { return driver_->window().surfaceArea().canvas(pane); }
+  SurfaceOverlay& overlay(std::size_t pane) {
+    return *driver_->window().surfaceArea().overlay(pane);
+  }
+  QPoint middleOf(std::size_t pane) { return canvas(pane)->rect().center(); }
+  /// True if the arrow of t_A points where a direction on the surface is seen in a view.
+  bool arrowPoints(const SurfaceModels& models, std::size_t pane, const Eigen::Vector3d& along) {
+    constexpr int kSide = 400;
+    const Projection projection =
+        orbitProjection(camera(pane), models.source.surface()->ballRadius, kSide, kSide);
+    QImage image(kSide, kSide, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    {
+      QPainter painter(&image);
+      painter.setBackground(Qt::white);
+      paintPick(painter, models, projection);
+    }
+    const Eigen::Vector3d at = models.pick.hit()->at;
+    const Eigen::Vector2d from = *projection.toScreen(at);
+    const Eigen::Vector2d to = *projection.toScreen(at + 1e-3 * along) - from;
+    // Its length is that of a direction on the screen (46 px), or on the surface.
+    const double length = pane == 0
+                              ? 46.0
+                              : 0.22 * models.source.surface()->fields->size *
+                                    (*projection.toScreen(at + along.normalized()) - from).norm();
+    const QColor ink = toQColor(styleOf(MarkKind::ApparentRidge, themePalette()).colour);
+    for (double share = 0.3; share < 0.7; share += 0.1) {
+      const Eigen::Vector2d p = from + share * length * to.normalized();
+      // Smooth edges mix it with the ground; nothing else there has so little blue beside red.
+      const QColor seen = image.pixelColor(qFloor(p.x()), qFloor(p.y()));
+      if (std::abs(seen.red() - ink.red()) > 40 || std::abs(seen.blue() - ink.blue()) > 60) {
+        return false;
+      }
+    }
+    return true;
+  }
   const SurfaceCamera& camera(std::size_t pane = 0) {
     return paneCamera(*driver_->scene().surface, pane);
   }

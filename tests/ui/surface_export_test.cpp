@@ -2,12 +2,14 @@
 // What is written of the surface and its views, from the real window.
 #include <QLabel>
 #include <QSignalSpy>
+#include <set>
 
 #include "core3d/draw/draughtsman.h"
 #include "core3d/io/cameras_json.h"
 #include "tests/ui/support_window.h"
 #include "ui/app/surface_controller.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/export/line_style.h"
 #include "ui/model/compare_presets.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
@@ -155,6 +157,138 @@ class SurfaceExportTest : public QObject {
     QVERIFY(textOf(side) != text);
   }
 
+  void predictionsAreExported() {
+    driver_->trigger("surface.extrude");
+    QVERIFY(quiet());
+    const SurfaceModels models = driver_->window().surfaceModels();
+    const std::vector<SurfacePicture> pictures = picturesOf(models);
+    const BridgeView& bridge = *models.bridges.source.view();
+    const Figure figure = surfaceFigure(pictures, {800, 600});
+    // Each is drawn, and nothing but them: ends of strokes lie on the pictures of rulings.
+    const Projection projection =
+        orbitProjection(pictures[0].setting.camera, pictures[0].surface->ballRadius, 800, 600);
+    std::set<std::size_t> met;
+    for (const std::string name : {"predicted-apparent-ridges", "predicted-contours"}) {
+      const bool ridges = name == "predicted-apparent-ridges";
+      const MarkKind kind = ridges ? MarkKind::ApparentRidge : MarkKind::Silhouette;
+      const FigureGroup* group = groupOf(figure, name + "-visible");
+      QVERIFY2(group, name.c_str());
+      QVERIFY(QString::fromStdString(group->classes).contains("predicted"));
+      for (const Shape& shape : group->shapes) {
+        const PathShape& path = std::get<PathShape>(shape);
+        QVERIFY(path.stroke && path.stroke->dash.size() == 2);
+        QVERIFY(path.stroke->colour == predictedColour(kind, pictures[0].palette));
+        for (const Vec2& p : path.path.points) {
+          const auto line = lineAt(bridge, projection, p, kind);
+          QVERIFY(line);
+          QVERIFY(bridge.limits[*line] == BridgeLimit::None);
+          met.insert(*line);
+        }
+      }
+    }
+    // Those that face the viewer and can be expected; some may be behind others.
+    std::size_t expected = 0;
+    for (const BridgeLimit limit : bridge.limits) expected += limit == BridgeLimit::None;
+    QVERIFY(met.size() > 1 && met.size() <= expected);
+    QVERIFY(groupOf(figure, "predicted-ticks"));
+    QVERIFY(!groupOf(figure, "section-visible"));
+    // Switched off they are nowhere.
+    models.bridges.source.setShown(false);
+    const Figure without = surfaceFigure(picturesOf(models), {800, 600});
+    QVERIFY(!groupOf(without, "predicted-apparent-ridges-visible"));
+    QVERIFY(!groupOf(without, "predicted-ticks"));
+    models.bridges.source.setShown(true);
+    for (const char* suffix : {"svg", "tex", "pdf"}) {
+      const QString name = driver_->path(QStringLiteral("predicted.") + suffix);
+      driver_->window().surfaces().exporter().exportTo(name, {640, 480});
+      QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(name), kPatienceMs);
+      const bool text = QByteArray(suffix) != "pdf";
+      QCOMPARE(textOf(name).contains("predicted-apparent-ridges-visible"), text);
+    }
+  }
+
+  void theSectionIsExported() {
+    driver_->window().surfaces().openSolid("torus:40");
+    QVERIFY(quiet());
+    SurfaceSetting setting = *driver_->scene().surface;
+    setting.camera.towards = Eigen::Vector3d(0.5, 0.6, 1.0).normalized();
+    setting.plane =
+        SurfacePlane{Eigen::Vector3d(0.0, 0.1, 0.0), Eigen::Vector3d(0.2, 1.0, 0.1).normalized()};
+    const SurfaceModels models = driver_->window().surfaceModels();
+    double length[3] = {};  // hidden lines left out; seen and hidden ones
+    for (const char* hidden : {"off", "dashed"}) {
+      setting.hidden = hidden;
+      push(setting);
+      QVERIFY(QTest::qWaitFor([&] { return !models.bridges.isStale(); }, kPatienceMs));
+      const Figure figure = surfaceFigure(picturesOf(models), {800, 600});
+      const bool off = setting.hidden == "off";
+      for (const bool seen : {true, false}) {
+        const FigureGroup* group = groupOf(figure, seen ? "section-visible" : "section-hidden");
+        QCOMPARE(group != nullptr, seen || !off);
+        if (group) length[off ? 0 : seen ? 1 : 2] = lengthOf(*group);
+      }
+      QVERIFY(groupOf(figure, "section-marks"));
+    }
+    QVERIFY(models.bridges.section.view());
+    const SectionView& section = *models.bridges.section.view();
+    const Projection projection = orbitProjection(driver_->scene().surface->camera,
+                                                  models.source.surface()->ballRadius, 800, 600);
+    double whole = 0.0;
+    for (std::size_t i = 0; i + 1 < section.lines.size(); i += 2) {
+      const auto px = [&](const LineVertex& v) {
+        return *projection.toScreen(Eigen::Vector3f(v.x, v.y, v.z).cast<double>());
+      };
+      whole += (px(section.lines[i]) - px(section.lines[i + 1])).norm();
+    }
+    const auto words = QStringLiteral("%1 of %2 + %3 = %4")
+                           .arg(length[0])
+                           .arg(length[1])
+                           .arg(length[2])
+                           .arg(whole);
+    QVERIFY2(length[0] > 0.3 * whole && length[0] < 0.8 * whole, qPrintable(words));
+    QVERIFY2(std::abs(length[0] - length[1]) < 1.0, qPrintable(words));
+    QVERIFY2(std::abs(length[1] + length[2] - whole) < 0.03 * whole, qPrintable(words));
+    const QString svg = driver_->path("section.svg");
+    driver_->window().surfaces().exporter().exportTo(svg, {640, 480});
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(svg), kPatienceMs);
+    QVERIFY(textOf(svg).contains("id=\"section-visible\""));
+  }
+
+  void picturesHaveTheirLegend() {
+    SurfaceSetting setting = *driver_->scene().surface;
+    setting.style = "colours";
+    setting.quantity = "k1";
+    push(setting);
+    const SurfaceModels models = driver_->window().surfaceModels();
+    QVERIFY(models.seen.seen()->colours);
+    const ColourScale scale = models.seen.seen()->colours->scale;
+    QImage image = exported("colours.png");
+    QCOMPARE(image.size(), QSize(640, 480));
+    // Somewhere at the bottom right is a bar of all its colours, 220 px long.
+    bool found = false;
+    for (int y = image.height() - 60; y < image.height() - 10 && !found; ++y) {
+      found = true;
+      for (int x = 5; x < 215 && found; x += 10) {
+        const Rgb c = scale.at((x + 0.5) / 220.0, picturesOf(models)[0].palette);
+        found = image.pixel(image.width() - 230 + x, y) == qRgb(c.r, c.g, c.b);
+      }
+    }
+    QVERIFY(found);
+    driver_->trigger("surface.compare.difference");
+    QVERIFY(quiet());
+    image = exported("difference.png");
+    const Rgb c = differenceColour(SeenDifference::Missing, picturesOf(models)[0].palette);
+    int longest = 0;
+    for (int y = image.height() - 180; y < image.height() - 10; ++y) {
+      int run = 0;
+      for (int x = image.width() / 2 + 60; x < image.width(); ++x) {
+        run = image.pixel(x, y) == qRgb(c.r, c.g, c.b) ? run + 1 : 0;
+        longest = std::max(longest, run);
+      }
+    }
+    QCOMPARE(longest, 18);
+  }
+
   void exportsWaitForEachOther() {
     const QString csv = driver_->path("first.csv"), png = driver_->path("second.png");
     SurfaceExporter& exporter = driver_->window().surfaces().exporter();
@@ -182,11 +316,57 @@ class SurfaceExportTest : public QObject {
   }
 
  private:
+  static const FigureGroup* groupOf(const Figure& figure, const std::string& id) {
+    const auto at = std::find_if(figure.groups.begin(), figure.groups.end(),
+                                 [&id](const FigureGroup& group) { return group.id == id; });
+    return at == figure.groups.end() ? nullptr : &*at;
+  }
+  static double lengthOf(const FigureGroup& group) {
+    double length = 0.0;
+    for (const Shape& shape : group.shapes) {
+      const PathData& path = std::get<PathShape>(shape).path;
+      for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+        length += (path.points[i + 1] - path.points[i]).norm();
+      }
+      if (path.verbs.back() == PathData::Verb::Close) {
+        length += (path.points.back() - path.points.front()).norm();
+      }
+    }
+    return length;
+  }
+  /// The predicted line of a kind whose picture goes through a pixel.
+  static std::optional<std::size_t> lineAt(const BridgeView& bridge, const Projection& projection,
+                                           const Vec2& px, MarkKind kind) {
+    const TriangleMesh& mesh = *bridge.seen->surface->mesh;
+    for (std::size_t i = 0; i < bridge.prediction.lines().size(); ++i) {
+      const PredictedLine& line = bridge.prediction.lines()[i];
+      if (line.kind != kind) continue;
+      const auto ends = inMeshCoordinates(line.points, mesh);
+      const Vec2 a = *projection.toScreen(ends.front().cast<double>());
+      const Vec2 b = *projection.toScreen(ends.back().cast<double>());
+      const double share = std::clamp((px - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+      if ((a + share * (b - a) - px).norm() < 0.05) return i;
+    }
+    return std::nullopt;
+  }
+  QImage exported(const char* name) {
+    const QString file = driver_->path(name);
+    driver_->window().surfaces().exporter().exportTo(file, {640, 480});
+    if (!QTest::qWaitFor([&file] { return QFile::exists(file); }, kPatienceMs)) return {};
+    return QImage(file);
+  }
   void push(const SurfaceSetting& setting) {
     driver_->document().push(std::make_unique<SetSurface>(driver_->document(), setting, "edit"));
     QVERIFY(quiet());
   }
-  bool quiet() { return driver_->surfaceQuiet(); }
+  bool quiet() {
+    const SurfaceModels models = driver_->window().surfaceModels();
+    return QTest::qWaitFor(
+        [&] {
+          return driver_->surfaceQuiet() && !models.source.isStale() && !models.bridges.isStale();
+        },
+        kPatienceMs);
+  }
 
   std::unique_ptr<WindowDriver> driver_;
 };

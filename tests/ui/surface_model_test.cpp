@@ -343,12 +343,12 @@ class SurfaceModelTest : public QObject {
     QVERIFY(f.open("solid:sphere:16"));
     const Projection projection =
         orbitProjection(f.setting().camera, f.source.surface()->ballRadius, 300, 300);
-    const auto reading = readingAt(*f.source.surface(), projection, {150, 150});
+    const auto reading = readingAt(*f.source.surface(), projection, {150, 150}, projection.view());
     QVERIFY(reading && reading->terms);
     QVERIFY(std::abs(reading->terms->nw - 1.0) < 0.01);
     QVERIFY(std::abs(reading->terms->k1 - 1.0) < 0.05);  // times the size, its radius
     QVERIFY(std::abs(*reading->terms->lambda - 1.0) < 0.1);
-    QVERIFY(!readingAt(*f.source.surface(), projection, {3, 3}));
+    QVERIFY(!readingAt(*f.source.surface(), projection, {3, 3}, projection.view()));
   }
 
   void exportedLinesAreThoseOfTheWindow() {

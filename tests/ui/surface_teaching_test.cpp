@@ -10,6 +10,7 @@
 #include "tests/ui/support_window.h"
 #include "ui/app/layouts.h"
 #include "ui/app/surface_controller.h"
+#include "ui/model/surface_look.h"
 #include "ui/view3d/surface_area.h"
 #include "ui/view3d/triangle_view.h"
 
@@ -99,6 +100,38 @@ class SurfaceTeachingTest : public QObject {
     pick().pickTriangle(329);
     QTRY_VERIFY2_WITH_TIMEOUT(words.text().contains("below the threshold 2"),
                               qPrintable(words.text()), kPatienceMs);
+  }
+
+  void theTriangleIsThatOfThePicture() {
+    openSolid("sine-sheet:24");
+    auto& words = show<QLabel>("triangle", "triangle.words");
+    pick().pickTriangle(329);
+    QTRY_VERIFY2_WITH_TIMEOUT(words.text().contains("below the threshold 2"),
+                              qPrintable(words.text()), kPatienceMs);
+    // Equal ink moves the threshold, and the sentence with it.
+    auto& wanted = show<QCheckBox>("families", "families.ink");
+    QTest::mouseClick(&wanted, Qt::LeftButton, {}, QPoint(8, wanted.height() / 2));
+    QVERIFY(d().scene().surface->ink);
+    const SurfaceModels models = d().window().surfaceModels();
+    const auto threshold = [&models] {
+      return familyOf(models.setting().surface, LineFamily::ApparentRidges).threshold;
+    };
+    QVERIFY(QTest::qWaitFor([&] { return d().surfaceQuiet() && threshold() != 2.0; }, kPatienceMs));
+    QTRY_VERIFY2_WITH_TIMEOUT(!words.text().contains("below the threshold 2."),
+                              qPrintable(words.text()), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(models.study.lesson()->threshold, threshold(), kPatienceMs);
+    QTest::mouseClick(&wanted, Qt::LeftButton, {}, QPoint(8, wanted.height() / 2));
+    QTRY_VERIFY2_WITH_TIMEOUT(words.text().contains("below the threshold 2"),
+                              qPrintable(words.text()), kPatienceMs);
+    // Without filters its crossing is drawn; what they would say stays.
+    QVERIFY(!models.study.lesson()->drawn);
+    auto& unfiltered = d().child<QCheckBox>("families.unfiltered");
+    QTest::mouseClick(&unfiltered, Qt::LeftButton, {}, QPoint(8, unfiltered.height() / 2));
+    QVERIFY(d().scene().surface->unfiltered);
+    QTRY_VERIFY2_WITH_TIMEOUT(words.text().contains("Drawn, as every crossing"),
+                              qPrintable(words.text()), kPatienceMs);
+    QVERIFY2(words.text().contains("below the threshold 2"), qPrintable(words.text()));
+    QVERIFY(models.study.lesson()->drawn);
   }
 
   void theLessonShowsThePlacesItNames() {

@@ -59,6 +59,7 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
       surfaceSource_(document_),
       surfaceViews_(document_, surfaceSource_),
       surfacePick_(surfaceSource_),
+      surfaceStudy_(document_, surfacePick_, surfaceViews_),
       bridges_(document_, surfaceSource_, surfaceViews_.seen(0)),
       docks_(std::make_unique<Docks>(*this)) {
   setObjectName("window");

@@ -53,8 +53,8 @@ class MainWindow : public QMainWindow {
   LessonFiles& lessons() { return *lessons_; }
   ImportController& imports() { return *imports_; }
   SurfaceModels surfaceModels() {
-    return {document_,     surfaceSource_, surfaceViews_.seen(0), display_, surfacePick_,
-            surfaceViews_, bridges_};
+    return {document_,    surfaceSource_, surfaceViews_.seen(0), display_,
+            surfacePick_, surfaceStudy_,  surfaceViews_,         bridges_};
   }
   Bridges& bridges() { return bridges_; }
   SurfaceController& surfaces() { return *surfaces_; }
@@ -95,6 +95,7 @@ class MainWindow : public QMainWindow {
   SurfaceSource surfaceSource_;
   SurfaceViews surfaceViews_;
   SurfacePick surfacePick_;
+  SurfaceStudy surfaceStudy_;
   Bridges bridges_;
   std::unique_ptr<Docks> docks_;
   Look* look_ = nullptr;

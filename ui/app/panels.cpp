@@ -69,13 +69,11 @@ void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts
   auto* limits = new LimitsPanel(models);
   QObject::connect(limits, &LimitsPanel::said, &status, &StatusLine::say);
   docks.add("limits", PanelsWords::tr("Limits"), limits, Group::Plots);
-  // Both panels look at it to their end, so it is the document's.
-  auto* picked =
-      new SurfaceStudy(models.document, parts.surface.pick, parts.surface.views, &models.document);
-  QObject::connect(picked, &SurfaceStudy::failed, &parts.messages, &MessageBar::showError);
+  SurfaceStudy& picked = parts.surface.study;
+  QObject::connect(&picked, &SurfaceStudy::failed, &parts.messages, &MessageBar::showError);
   docks.add("surface-derivation", PanelsWords::tr("Surface derivation"),
-            new DerivationPanel(*picked), Group::Plots);
-  docks.add("triangle", PanelsWords::tr("Triangle"), new TrianglePanel(*picked, models.display),
+            new DerivationPanel(picked), Group::Plots);
+  docks.add("triangle", PanelsWords::tr("Triangle"), new TrianglePanel(picked, models.display),
             Group::Plots);
   docks.add("marks", PanelsWords::tr("Marks"), new MarksPanel(models), Group::Bottom);
   docks.add("lesson", PanelsWords::tr("Lesson"),

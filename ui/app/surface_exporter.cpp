@@ -127,10 +127,7 @@ void SurfaceExporter::writeLines(const QString& name, const QSize& size) {
 
 void SurfaceExporter::writeFields(const QString& name) {
   const auto& surface = models_.source.surface();
-  constexpr double kAnySize = 100.0;  // the viewer stands where he does at every size
-  const SurfaceView view = orbitProjection(models_.document.scene().surface->camera,
-                                           surface->ballRadius, kAnySize, kAnySize)
-                               .view();
+  const SurfaceView view = models_.foundView();
   const bool csv = QFileInfo(name).suffix().toLower() == "csv";
   enqueue<std::string>(
       [surface, view, csv](const JobControl&) {

@@ -13,6 +13,7 @@
 #include "ui/model/core_words.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
+#include "ui/model/surface_panes.h"
 #include "ui/view3d/surface_area.h"
 
 namespace flatland::ui {
@@ -74,7 +75,7 @@ void addUpAxes(QMenu& menu, Document& document) {
           std::optional<SurfaceSetting> setting = document.scene().surface;
           if (!setting) return;
           setting->upAxis = axis;
-          setting->camera = homeCamera(upAxisOf(*setting));
+          setting = withCamera(*setting, homeCamera(upAxisOf(*setting)));
           document.push(std::make_unique<SetSurface>(document, std::move(setting),
                                                      SurfaceMenuWords::tr("change up axis")));
         });

@@ -15,7 +15,8 @@ struct SectionCommandWords {
   Q_DECLARE_TR_FUNCTIONS(SectionCommand)
 };
 
-/// ReplaceScene beside a surface that stays, and is seen as it is now: looking is no edit.
+/// ReplaceScene beside a surface that stays, if it does, and is seen as it is now: looking is no
+/// edit.
 class OpenSection : public ReplaceScene {
  public:
   OpenSection(Document& document, Scene scene, const QString& text)
@@ -31,13 +32,14 @@ class OpenSection : public ReplaceScene {
  private:
   template <class Swap>
   void keepingCameras(Swap swap) {
-    const SurfaceSetting before = *document_.scene().surface;
+    const std::optional<SurfaceSetting> before = document_.scene().surface;
     swap();
-    document_.setCamera(before.camera);
+    if (!before || !document_.scene().surface) return;
+    document_.setCamera(before->camera);
     const auto& panes = document_.scene().surface->panes;
-    for (std::size_t i = 0; i < std::min(panes.size(), before.panes.size()); ++i) {
-      if (panes[i].camera && before.panes[i].camera) {
-        document_.setCamera(*before.panes[i].camera, i + 1);
+    for (std::size_t i = 0; i < std::min(panes.size(), before->panes.size()); ++i) {
+      if (panes[i].camera && before->panes[i].camera) {
+        document_.setCamera(*before->panes[i].camera, i + 1);
       }
     }
   }
@@ -47,14 +49,10 @@ class OpenSection : public ReplaceScene {
 
 }  // namespace
 
-QString whyNotOpened(const Document& document, const SectionView* section) {
+QString whyNotOpened(const SectionView* section) {
   if (!section) return SectionCommandWords::tr("There is no plane that cuts the surface yet.");
   if (section->section.scene.curves.empty()) {
     return SectionCommandWords::tr("The plane does not cut the surface.");
-  }
-  if (isSwept(document.scene())) {
-    return SectionCommandWords::tr(
-        "This surface is swept from the scene's curve, which the section would replace.");
   }
   return {};
 }
@@ -63,6 +61,7 @@ void openSection(Document& document, const SectionView& section) {
   Scene scene = document.scene();
   scene.curves = section.section.scene.curves;
   scene.view = section.section.scene.view;
+  if (isSwept(scene)) scene.surface.reset();
   document.push(std::make_unique<OpenSection>(document, std::move(scene),
                                               SectionCommandWords::tr("open section")));
 }

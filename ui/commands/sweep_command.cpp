@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "ui/commands/scene_commands.h"
+#include "ui/model/surface_panes.h"
 
 namespace flatland::ui {
 
@@ -26,8 +27,10 @@ void sweepCurve(Document& document, std::size_t curve, SweptSurface::Kind kind) 
   document.push(std::make_unique<SetView>(document, view));
   document.push(std::make_unique<SetSurface>(document, setting, text));
   document.undoStack().endMacro();
-  // A surface that was swept before has kept its camera.
-  document.setCamera(setting.camera);
+  // A surface that was swept before has kept its cameras.
+  for (std::size_t pane = 0; pane < paneCount(setting); ++pane) {
+    document.setCamera(paneCamera(setting, pane), pane);
+  }
 }
 
 }  // namespace flatland::ui

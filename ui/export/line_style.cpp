@@ -43,6 +43,12 @@ Rgb lineColour(LineFamily family, Palette palette) {
   return dark ? Rgb{0xA8, 0x98, 0x78} : Rgb{0x93, 0x80, 0x5E};  // as on maps
 }
 
+Rgb predictedColour(MarkKind kind, Palette palette) {
+  const bool light = palette == Palette::Light;
+  if (kind == MarkKind::Silhouette) return light ? Rgb{0x4E, 0x86, 0xB8} : Rgb{0x8F, 0xC4, 0xF0};
+  return light ? Rgb{0x5A, 0x32, 0xC8} : Rgb{0xB9, 0x9C, 0xFF};
+}
+
 std::string_view lineTitle(LineFamily family) {
   constexpr std::array<std::string_view, kLineFamilyCount> kTitles = {
       "Exterior silhouette",

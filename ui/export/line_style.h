@@ -13,6 +13,10 @@ namespace flatland::ui {
 /// and apparent ridges have those of the marks of flatland.
 Rgb lineColour(LineFamily family, Palette palette);
 
+/// The colour of lines that flatland predicts on a surface, of a kind that it predicts: one that no
+/// family has by itself, so that a line found is told from the prediction that it lies on.
+Rgb predictedColour(MarkKind kind, Palette palette);
+
 /// For people, in English: "Apparent ridges".
 std::string_view lineTitle(LineFamily family);
 

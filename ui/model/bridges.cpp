@@ -12,8 +12,9 @@ Bridges::Bridges(Document& document, const SurfaceSource& surfaceSource,
     link.setSectionPlane(plane);
   };
   QObject::connect(&section, &SectionSource::changed, &link, show);
-  QObject::connect(&document, &Document::changed, &link, [show](const Change& change) {
+  QObject::connect(&document, &Document::changed, &link, [this, show](const Change& change) {
     if (change.touchesScene() && change.what != Change::What::View) show();
+    if (change.what == Change::What::Scene) link.judgeScene();
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/model/bridge_source.h"
 #include "ui/model/plane_grip.h"
+#include "ui/model/predicted_dashes.h"
 #include "ui/model/section_source.h"
 #include "ui/model/view_link.h"
 
@@ -13,8 +14,9 @@ struct Bridges {
   Bridges(Document& document, const SurfaceSource& surfaceSource, const SeenSource& seenSource);
 
   ViewLink link;
-  BridgeSource source;    ///< curves as surfaces
-  SectionSource section;  ///< surfaces as curves
+  BridgeSource source;     ///< curves as surfaces
+  PredictedDashes dashes;  ///< of source.view(), to be drawn
+  SectionSource section;   ///< surfaces as curves
   PlaneGrip grip;
 
   bool isStale() const { return source.isStale() || section.isStale(); }

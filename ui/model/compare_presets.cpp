@@ -2,9 +2,7 @@
 #include "ui/model/compare_presets.h"
 
 #include <algorithm>
-#include <numbers>
 
-#include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
 #include "ui/model/surface_panes.h"
 
@@ -66,8 +64,9 @@ SurfaceSetting withPreset(SurfaceSetting setting, ComparePreset preset) {
   }
   setting.panes.resize(1);
   setting.panes.front() = SurfacePane{};
-  setting.panes.front().camera = spun(setting.camera, std::numbers::pi / 2.0);
-  return setting;
+  setting.panes.front().camera = setting.camera;
+  const SurfaceCamera first = setting.camera;
+  return withCamera(std::move(setting), first);
 }
 
 }  // namespace flatland::ui

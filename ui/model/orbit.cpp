@@ -59,6 +59,11 @@ Projection orbitProjection(const SurfaceCamera& camera, double ballRadius, doubl
                           ballRadius > 0.0 ? ballRadius : 1.0);
 }
 
+SurfaceView orbitView(const SurfaceCamera& camera, double ballRadius) {
+  constexpr double kAnySize = 100.0;
+  return orbitProjection(camera, ballRadius, kAnySize, kAnySize).view();
+}
+
 Eigen::Matrix4d clipMatrix(const Projection& projection, double ballRadius) {
   const double reach = std::max(ballRadius, 1e-6) + projection.centre.norm();
   const Eigen::Matrix3d& axes = projection.axes;

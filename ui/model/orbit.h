@@ -26,6 +26,9 @@ Camera drawingCamera(const SurfaceCamera& camera, double width, double height);
 Projection orbitProjection(const SurfaceCamera& camera, double ballRadius, double width,
                            double height);
 
+/// From where such a camera looks, which the size of the picture has no part in.
+SurfaceView orbitView(const SurfaceCamera& camera, double ballRadius);
+
 /// A 4 x 4 matrix from points of the mesh to clip coordinates of OpenGL (-1 to 1 after division, z
 /// nearest first): the same picture as the projection. Everything within `ballRadius` of 0 in front
 /// of the viewer is kept.

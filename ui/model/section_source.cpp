@@ -41,13 +41,6 @@ std::vector<LineVertex> linesOf(const Slice& slice, const TriangleMesh& mesh) {
   return lines;
 }
 
-bool isSeen(const TriangleMesh& mesh, const SurfaceView& view, const Eigen::Vector3d& inFile) {
-  const Eigen::Vector3d at = (inFile - mesh.origin) / mesh.unit;
-  const Eigen::Vector3d w = view.towardsViewer(at);
-  const auto hit = firstHit(mesh, at + kBefore * w, w, false);
-  return !hit;
-}
-
 std::vector<SectionPair> pairsOf(const SectionMarks& marks) {
   std::vector<SectionPair> pairs;
   std::vector<bool> met(marks.marks.size(), false);
@@ -110,6 +103,13 @@ void cut(SectionView& view, const std::shared_ptr<const SectionView>& last, cons
 }
 
 }  // namespace
+
+bool isSeen(const TriangleMesh& mesh, const SurfaceView& view, const Eigen::Vector3d& inFile) {
+  const Eigen::Vector3d at = (inFile - mesh.origin) / mesh.unit;
+  const Eigen::Vector3d w = view.towardsViewer(at);
+  const auto hit = firstHit(mesh, at + kBefore * w, w, false);
+  return !hit;
+}
 
 SectionSource::SectionSource(const Document& document, const SurfaceSource& source,
                              const SeenSource& seen, QObject* parent)

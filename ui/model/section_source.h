@@ -37,6 +37,10 @@ struct SectionView {
   std::vector<SectionPair> pairs;           ///< by distance, those without partner last
 };
 
+/// True if nothing of the surface stands before a place of it, in the unit of the file. Tries every
+/// triangle.
+bool isSeen(const TriangleMesh& mesh, const SurfaceView& view, const Eigen::Vector3d& inFile);
+
 /// Cuts and fits beside the window's thread whenever plane, surface or view change, the newest
 /// there are, so that the section follows the hand.
 class SectionSource : public QObject {

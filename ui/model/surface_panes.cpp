@@ -2,9 +2,11 @@
 #include "ui/model/surface_panes.h"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
 
 namespace flatland::ui {
@@ -26,6 +28,21 @@ std::size_t paneCount(const SurfaceSetting& setting) { return 1 + setting.panes.
 const SurfaceCamera& paneCamera(const SurfaceSetting& setting, std::size_t pane) {
   if (pane == 0 || !setting.panes[pane - 1].camera) return setting.camera;
   return *setting.panes[pane - 1].camera;
+}
+
+bool camerasDiffer(const SurfaceSetting& setting) {
+  return std::any_of(setting.panes.begin(), setting.panes.end(),
+                     [](const SurfacePane& pane) { return pane.camera.has_value(); });
+}
+
+SurfaceSetting withCamera(SurfaceSetting setting, const SurfaceCamera& camera) {
+  setting.camera = camera;
+  double turn = 0.0;
+  for (SurfacePane& pane : setting.panes) {
+    turn += std::numbers::pi / 2.0;
+    if (pane.camera) pane.camera = spun(camera, turn);
+  }
+  return setting;
 }
 
 PaneSetting paneSetting(const SurfaceSetting& setting, std::size_t pane) {

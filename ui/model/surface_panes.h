@@ -33,6 +33,13 @@ PaneSetting paneSetting(const SurfaceSetting& setting, std::size_t pane);
 /// From where view `pane` is looked at; that of view 0 where it has none of its own.
 const SurfaceCamera& paneCamera(const SurfaceSetting& setting, std::size_t pane);
 
+/// True if a view is looked at from elsewhere than its lines are found for.
+bool camerasDiffer(const SurfaceSetting& setting);
+
+/// The setting seen from another camera: that of view 0. Cameras of views of their own are set
+/// about it, a quarter turn apart about its upward axis.
+SurfaceSetting withCamera(SurfaceSetting setting, const SurfaceCamera& camera);
+
 /// What is to be looked for in a view.
 LineOptions lineOptionsOf(const PaneSetting& pane);
 

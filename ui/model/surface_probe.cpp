@@ -10,7 +10,7 @@ std::optional<SurfaceHit> hitAt(const LoadedSurface& surface, const Projection& 
 }
 
 std::optional<SurfaceReading> readingAt(const LoadedSurface& surface, const Projection& projection,
-                                        const Eigen::Vector2d& px) {
+                                        const Eigen::Vector2d& px, const SurfaceView& view) {
   const TriangleMesh& mesh = *surface.mesh;
   const std::optional<SurfaceHit> hit = hitAt(surface, projection, px);
   if (!hit) return std::nullopt;
@@ -20,7 +20,7 @@ std::optional<SurfaceReading> readingAt(const LoadedSurface& surface, const Proj
   reading.fileVertex = mesh.fileVertex[reading.vertex];
   reading.inFile = mesh.origin + mesh.unit * hit->at;
   if (surface.fields) {
-    reading.terms = termsAt(mesh, *surface.fields, projection.view(), reading.vertex);
+    reading.terms = termsAt(mesh, *surface.fields, view, reading.vertex);
   }
   return reading;
 }

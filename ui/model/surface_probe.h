@@ -10,7 +10,7 @@
 
 namespace flatland::ui {
 
-/// What is under a pixel: the place, and what the view makes of the vertex nearest to it.
+/// What is under a pixel: the place, and what a view makes of the vertex nearest to it.
 struct SurfaceReading {
   SurfaceHit hit;
   std::uint32_t vertex;               ///< of the mesh
@@ -24,8 +24,8 @@ struct SurfaceReading {
 std::optional<SurfaceHit> hitAt(const LoadedSurface& surface, const Projection& projection,
                                 const Eigen::Vector2d& px);
 
-/// The same with what the view makes of it.
+/// The same with what `view` makes of it, which may be another than the picture is of.
 std::optional<SurfaceReading> readingAt(const LoadedSurface& surface, const Projection& projection,
-                                        const Eigen::Vector2d& px);
+                                        const Eigen::Vector2d& px, const SurfaceView& view);
 
 }  // namespace flatland::ui

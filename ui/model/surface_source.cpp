@@ -7,6 +7,7 @@
 #include "ui/commands/scene_commands.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
+#include "ui/model/surface_panes.h"
 #include "ui/model/swept_surface.h"
 
 namespace flatland::ui {
@@ -145,7 +146,7 @@ void SurfaceSource::show(const std::shared_ptr<const LoadedSurface>& surface, bo
     SurfaceSetting setting = document_.scene().surface.value_or(SurfaceSetting{});
     if (isSwept(document_.scene())) setting = withUsualRidges(std::move(setting));
     setting.mesh = surface->reference;
-    setting.camera = homeCamera(upAxisOf(setting));
+    setting = withCamera(std::move(setting), homeCamera(upAxisOf(setting)));
     setting.savedCameras.clear();
     setting.swept.reset();
     setting.plane.reset();

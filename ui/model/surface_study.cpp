@@ -75,18 +75,18 @@ void SurfaceStudy::search() {
 void SurfaceStudy::begin() {
   if (!wanted_) return;
   using Data = std::shared_ptr<const TriangleLesson>;
-  // That of the picture, which equal ink moves.
-  const double threshold =
-      familyOf(views_.setting(0).surface, LineFamily::ApparentRidges).threshold;
+  // Those of the picture, whose threshold equal ink moves.
+  const SurfaceSetting setting = views_.setting(0).surface;
+  const double threshold = familyOf(setting, LineFamily::ApparentRidges).threshold;
   job_.start<Data>(
       [worker = worker_, triangle = pick_.hit()->triangle, view = projection(1.0, 1.0).view(),
-       threshold](const JobControl&) -> std::optional<Data> {
+       threshold, unfiltered = setting.unfiltered](const JobControl&) -> std::optional<Data> {
         const std::lock_guard lock(worker->turn);
         if (!worker->study) {
           worker->study.emplace(*worker->surface->mesh, *worker->surface->fields);
         }
         return std::make_shared<const TriangleLesson>(
-            worker->study->lesson(triangle, view, threshold));
+            worker->study->lesson(triangle, view, threshold, unfiltered));
       },
       [this](const Data& lesson) {
         lesson_ = lesson;

@@ -35,6 +35,9 @@ class SurfaceStudy : public QObject {
   /// True while lesson() is of another camera.
   bool isStale() const { return job_.isStale(); }
 
+  /// The surface as it is drawn: all that is told is told of its first view.
+  const std::optional<SurfaceSetting>& setting() const { return document_.scene().surface; }
+
   /// How the camera sees the surface; the picture is of this size. Precondition: a pick.
   Projection projection(double width, double height) const;
 

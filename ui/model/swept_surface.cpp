@@ -7,6 +7,7 @@
 
 #include "flatland/features/orientation.h"
 #include "ui/model/surface_look.h"
+#include "ui/model/surface_panes.h"
 
 namespace flatland::ui {
 
@@ -100,7 +101,7 @@ SurfaceSetting sweptSetting(const Scene& scene, std::size_t curve, SweptSurface:
   setting.swept = swept;
   setting.plane.reset();
   setting.savedCameras.clear();
-  setting.camera = usualCamera(kind, scene.view);
+  setting = withCamera(std::move(setting), usualCamera(kind, scene.view));
   return withEveryRidge(std::move(setting));
 }
 

@@ -30,6 +30,7 @@ ViewLink::ViewLink(Document& document, QObject* parent) : QObject(parent), docum
   still_.setInterval(kStillMs);
   connect(&still_, &QTimer::timeout, this, [this] { gesture_ = 0; });
   on_ = !disagree();
+  judged_ = canLink();
   showWhyNot();
 }
 
@@ -44,8 +45,16 @@ void ViewLink::setOn(bool on) {
   emit changed();
 }
 
+void ViewLink::judgeScene() {
+  judged_ = canLink();
+  if (!on_ || !disagree()) return;
+  on_ = false;
+  emit changed();
+}
+
 void ViewLink::setSectionPlane(const std::optional<CutPlane>& plane) {
   section_ = plane;
+  if (!judged_ && canLink()) judgeScene();
   showWhyNot();
 }
 
@@ -75,6 +84,8 @@ bool ViewLink::disagree() const {
 }
 
 void ViewLink::follow(const Change& change) {
+  // From then on it is what a person made of the scene.
+  if (change.what != Change::What::Camera && change.what != Change::What::File) judged_ = true;
   switch (change.what) {
     case Change::What::Camera:
       if (on_) cameraTurned();
@@ -82,18 +93,6 @@ void ViewLink::follow(const Change& change) {
     case Change::What::View:
     case Change::What::Surface:
       if (on_) viewTurned();
-      break;
-    case Change::What::Scene:
-      // Judged when all have followed the scene: whose plane is that of the curves is told after
-      // this (setSectionPlane).
-      QMetaObject::invokeMethod(
-          this,
-          [this] {
-            if (!on_ || !disagree()) return;
-            on_ = false;
-            emit changed();
-          },
-          Qt::QueuedConnection);
       break;
     default:
       break;

@@ -27,6 +27,11 @@ class ViewLink : public QObject {
   /// Switched on, the flat view takes the side of the camera.
   void setOn(bool on);
 
+  /// Called when all have followed another scene, and it is known whose plane is that of its
+  /// curves: if its views do not belong together the link is switched off. Where that is known only
+  /// after a section was cut, the link waits for it.
+  void judgeScene();
+
   /// The plane of the surface (unit of its file) in which the scene's curves lie; nullopt: the
   /// curves are no section of it.
   void setSectionPlane(const std::optional<CutPlane>& plane);
@@ -51,6 +56,7 @@ class ViewLink : public QObject {
   Document& document_;
   std::optional<CutPlane> section_;
   bool on_ = true;
+  bool judged_ = true;  ///< false: of the scene that was opened it is not known yet
   std::string whyNot_;
   int gesture_ = 0;  ///< of the turn under way
   QTimer still_;     ///< ends it

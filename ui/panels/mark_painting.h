@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/export/mark_style.h"
+#include "ui/model/theme.h"
 
 class QPainter;
 class QPointF;
@@ -13,6 +14,10 @@ void paintShape(QPainter& painter, const PathShape& shape);
 
 /// A cross with its number, for a ridge of the surface that goes through the plane: the same on
 /// the surface and in flatland.
-void paintCrossing(QPainter& painter, const QPointF& at, int number, double scale, bool hidden);
+void paintCrossing(QPainter& painter, const QPointF& at, int number, double scale, bool hidden,
+                   Palette palette = themePalette());
+/// The same for files, without the halo of the number.
+std::vector<Shape> crossingShapes(const Vec2& at, int number, double scale, bool hidden,
+                                  Palette palette);
 
 }  // namespace flatland::ui

@@ -2361,6 +2361,10 @@
         <source>Ink %1 % of %2 %</source>
         <translation>Tinte %1 % von %2 %</translation>
     </message>
+    <message>
+        <source>As view 1 sees it:</source>
+        <translation>Wie Ansicht 1 es sieht:</translation>
+    </message>
 </context>
 <context>
     <name>PaneWords</name>
@@ -2750,10 +2754,6 @@
     <message>
         <source>The plane does not cut the surface.</source>
         <translation>Die Ebene schneidet die Fläche nicht.</translation>
-    </message>
-    <message>
-        <source>This surface is swept from the scene&apos;s curve, which the section would replace.</source>
-        <translation>Diese Fläche entsteht aus der Kurve der Szene, die der Schnitt ersetzen würde.</translation>
     </message>
     <message>
         <source>open section</source>
@@ -5151,6 +5151,10 @@
         <source>Why the pair differs</source>
         <translation>Warum das Paar sich unterscheidet</translation>
     </message>
+    <message>
+        <source>. The swept surface goes with its curve; undo brings both back</source>
+        <translation>. Die Fläche, die aus der Kurve entstand, geht mit ihr; Rückgängig bringt beide zurück</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::StatusLine</name>
@@ -5961,6 +5965,10 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>%1. Dropped.</source>
         <translation>%1. Verworfen.</translation>
+    </message>
+    <message>
+        <source>Drawn, as every crossing. The filters would say: %1</source>
+        <translation>Gezeichnet wie jede Kreuzung. Die Filter würden sagen: %1</translation>
     </message>
 </context>
 <context>

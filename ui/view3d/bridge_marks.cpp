@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/export/figure_qt.h"
+#include "ui/export/line_style.h"
 #include "ui/model/bridge_ticks.h"
 #include "ui/model/bridges.h"
 #include "ui/model/theme.h"
@@ -25,23 +26,6 @@ constexpr double kSymbolPx = 8.0;  ///< from the end of a tick to the middle of 
 constexpr int kKeyPx = 34;         ///< of the legend
 constexpr double kBehindText = 0.72;
 
-void paintTicks(QPainter& painter, const BridgeView& bridge, const Projection& projection,
-                double scale) {
-  const Palette palette = themePalette();
-  for (const EdgeTick& tick : edgeTicks(bridge, projection)) {
-    const bool limited = bridge.limits[tick.line] != BridgeLimit::None;
-    const MarkKind kind = bridge.prediction.lines()[tick.line].kind;
-    Rgb colour = styleOf(kind, palette).colour;
-    if (limited) colour = paler(colour, sceneColours(palette).background);
-    const Eigen::Vector2d end = tick.at + scale * kTickPx * tick.inward;
-    painter.setPen(QPen(toQColor(colour), 2.0 * scale));
-    painter.drawLine(QPointF(tick.at.x(), tick.at.y()), QPointF(end.x(), end.y()));
-    const Eigen::Vector2d middle = end + scale * kSymbolPx * tick.inward;
-    paintShape(painter, markSymbol(kind, Vec2(middle), scale * kSymbolSizePx,
-                                   std::atan2(tick.inward.y(), tick.inward.x()), palette, limited));
-  }
-}
-
 void paintLegend(QPainter& painter, const QPoint& corner, double scale) {
   const Palette palette = themePalette();
   const QPen ink = painter.pen();
@@ -60,8 +44,8 @@ void paintLegend(QPainter& painter, const QPoint& corner, double scale) {
   painter.fillRect(QRect(corner.x() - 4, corner.y() - 2, key + width + 12, 2 * line + 4), ground);
   int y = corner.y();
   for (const auto& row : rows) {
-    QPen dashes(toQColor(styleOf(row.kind, palette).colour), kPredictedWidthPx * scale);
-    dashes.setDashPattern({2.2, 1.6});
+    QPen dashes(toQColor(predictedColour(row.kind, palette)), kPredictedWidthPx * scale);
+    dashes.setDashPattern({kPredictedDash.begin(), kPredictedDash.end()});
     dashes.setCapStyle(Qt::FlatCap);
     painter.setPen(dashes);
     painter.drawLine(corner.x(), y + line / 2, corner.x() + key - 8, y + line / 2);
@@ -73,6 +57,25 @@ void paintLegend(QPainter& painter, const QPoint& corner, double scale) {
 
 }  // namespace
 
+std::vector<PathShape> tickShapes(const BridgeView& bridge, const Projection& projection,
+                                  Palette palette, double scale) {
+  std::vector<PathShape> shapes;
+  for (const EdgeTick& tick : edgeTicks(bridge, projection)) {
+    const bool limited = bridge.limits[tick.line] != BridgeLimit::None;
+    const MarkKind kind = bridge.prediction.lines()[tick.line].kind;
+    Rgb colour = predictedColour(kind, palette);
+    if (limited) colour = paler(colour, sceneColours(palette).background);
+    const Vec2 end = tick.at + scale * kTickPx * tick.inward;
+    PathData line;
+    line.moveTo(tick.at);
+    line.lineTo(end);
+    shapes.push_back({line, std::nullopt, Stroke{.colour = colour, .width = 2.0 * scale}});
+    shapes.push_back(markSymbol(kind, end + scale * kSymbolPx * tick.inward, scale * kSymbolSizePx,
+                                std::atan2(tick.inward.y(), tick.inward.x()), palette, limited));
+  }
+  return shapes;
+}
+
 void paintBridge(QPainter& painter, const SurfaceModels& models, const Projection& projection,
                  const QPoint& corner) {
   const BridgeSource& source = models.bridges.source;
@@ -81,8 +84,11 @@ void paintBridge(QPainter& painter, const SurfaceModels& models, const Projectio
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   paintLegend(painter, corner, scale);
-  // From elsewhere, the edge of the picture is not the screen of flatland.
-  if (!models.setting().ownCamera) paintTicks(painter, *source.view(), projection, scale);
+  if (!models.setting().ownCamera) {
+    for (const PathShape& shape : tickShapes(*source.view(), projection, themePalette(), scale)) {
+      paintShape(painter, shape);
+    }
+  }
   painter.restore();
 }
 

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/lesson/lesson_words.h"
+#include "ui/view3d/pane_marks.h"
 
 namespace flatland::ui {
 
@@ -132,7 +133,9 @@ void DerivationPanel::refresh() {
   } else if (!pick.surface()->fields) {
     text_->setHtml(tr("Curvature is still being estimated."));
   } else if (const auto& place = study_.place()) {
-    text_->setHtml(matrices(*place) + steps(*place));
+    const QString seenBy = seenByWords(study_.setting());
+    const QString heading = seenBy.isEmpty() ? QString() : "<p><b>" + seenBy + "</b></p>";
+    text_->setHtml(heading + matrices(*place) + steps(*place));
   } else {
     text_->setHtml(tr("The normal is unknown here."));
   }

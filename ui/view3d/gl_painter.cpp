@@ -106,13 +106,13 @@ void GlPainter::sendLines(const SurfacePicture& picture) {
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
 }
 
-// They are few, and others with every motion.
 void GlPainter::sendMarks(const SurfacePicture& picture) {
-  if (picture.marks.empty()) return;
+  std::vector<LineEnds> ends;
+  for (const MarkLines& marks : picture.marks) ends.push_back(marks.ends);
+  if (ends == sentMarks_) return;
+  sentMarks_ = std::move(ends);
   std::vector<LineVertex> all;
-  for (const MarkLines& marks : picture.marks) {
-    all.insert(all.end(), marks.ends.begin(), marks.ends.end());
-  }
+  for (const LineEnds& marks : sentMarks_) all.insert(all.end(), marks->begin(), marks->end());
   const QOpenGLVertexArrayObject::Binder bound(&markArrays_);
   send(marks_, all);
   glEnableVertexAttribArray(0);
@@ -164,7 +164,7 @@ void GlPainter::paintMarks(const SurfacePicture& picture, const QSize& pixels, d
   lineProgram_.setUniformValue("threshold", 0.0f);
   int first = 0;
   for (const MarkLines& marks : picture.marks) {
-    const int count = static_cast<int>(marks.ends.size());
+    const int count = static_cast<int>(marks.ends->size());
     lineProgram_.setUniformValue("colour", sharesOf(marks.colour));
     lineProgram_.setUniformValue("opacity", hiddenOnes ? kHiddenInk * marks.ink : marks.ink);
     lineProgram_.setUniformValue(

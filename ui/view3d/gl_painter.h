@@ -51,6 +51,7 @@ class GlPainter : protected QOpenGLExtraFunctions {
   bool hasColours_ = false;
   std::shared_ptr<const TriangleMesh> mesh_;  ///< the one on the card
   std::shared_ptr<const SeenSurface> seen_, coloured_;
+  std::vector<LineEnds> sentMarks_;
   QMatrix4x4 clip_;
   QMatrix3x3 axes_;
 };

@@ -137,7 +137,7 @@ void PaneWidget::probe() {
   const Projection projection =
       orbitProjection(models_.camera(), surface->ballRadius, canvas_->width(), canvas_->height());
   const Eigen::Vector2d px(pointer_->x(), pointer_->y());
-  overlay_->setReading(readingAt(*surface, projection, px));
+  overlay_->setReading(readingAt(*surface, projection, px, models_.foundView()));
   const BridgeSource& bridge = models_.bridges.source;
   const bool predicts = bridge.isShown() && bridge.view() && !bridge.view()->limits.empty();
   overlay_->setPredicted(predicts ? predictedLineAt(*bridge.view(), projection, px, kReachPx)

@@ -37,25 +37,31 @@ void paintNamedArrow(QPainter& painter, const QPointF& from, const QPointF& to, 
   painter.drawText(QRectF(middle.x() - 20.0, middle.y() - 12.0, 40.0, 24.0), Qt::AlignCenter, name);
 }
 
-/// Principal directions on the surface, and t_A, which is a direction on the screen.
+/// Principal directions on the surface, and t_A, which is a direction on the screen of view 0. From
+/// elsewhere that is no direction of the picture: there it is r, the one on the surface that t_A is
+/// the picture of.
 void paintDirections(QPainter& painter, const SurfaceModels& models, const Projection& projection,
                      const Eigen::Vector3d& at, const QPointF& middle, const Pens& pens) {
-  const SurfacePick& pick = models.pick;
-  const LoadedSurface& surface = *pick.surface();
-  const auto place = surfacePlaceAt(*surface.mesh, *surface.fields, projection.view(),
-                                    projection.axes.row(0), pick.vertex());
+  const auto& place = models.study.place();
   if (!place) return;
-  const QString names[] = {QStringLiteral("t₁"), QStringLiteral("t₂")};
-  for (int i = 0; i < 2; ++i) {
-    const Eigen::Vector3d end = at + kArrowShare * surface.fields->size * place->point.frame.col(i);
-    if (const auto px = projection.toScreen(end)) {
-      paintNamedArrow(painter, middle, {px->x(), px->y()}, pens, 1.5, 1.0, names[i]);
+  const double length = kArrowShare * models.pick.surface()->fields->size;
+  const auto paintOnSurface = [&](const Eigen::Vector3d& along, const Pens& with, double width,
+                                  double label, const char* name) {
+    if (const auto px = projection.toScreen(at + length * along)) {
+      paintNamedArrow(painter, middle, {px->x(), px->y()}, with, width, label,
+                      QString::fromUtf8(name));
     }
-  }
+  };
+  paintOnSurface(place->point.frame.col(0), pens, 1.5, 1.0, "t₁");
+  paintOnSurface(place->point.frame.col(1), pens, 1.5, 1.0, "t₂");
   const SurfaceMatrices matrices = surfaceMatrices(*place);
   if (!matrices.seen || matrices.tA.isZero()) return;
   Pens orange = pens;
   orange.ink = toQColor(styleOf(MarkKind::ApparentRidge, themePalette()).colour);
+  if (models.setting().ownCamera) {
+    const Eigen::Vector3d r = place->point.frame * matrices.seen->r;
+    return paintOnSurface(r.normalized(), orange, 2.5, 0.5, "r");
+  }
   const QPointF tA = kArrowPx * pens.scale * QPointF(matrices.tA.x(), -matrices.tA.y());
   paintNamedArrow(painter, middle, middle + tA, orange, 2.5, 0.5, QStringLiteral("t_A"));
 }
@@ -72,9 +78,7 @@ void paintPick(QPainter& painter, const SurfaceModels& models, const Projection&
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
-  if (models.pick.surface()->fields) {
-    paintDirections(painter, models, projection, hit->at, middle, pens);
-  }
+  paintDirections(painter, models, projection, hit->at, middle, pens);
   const double radius = kRingPx * pens.scale;
   painter.setPen(QPen(pens.ground, 4.0 * pens.scale));
   painter.drawEllipse(middle, radius, radius);

@@ -67,6 +67,48 @@ void paintHandles(QPainter& painter, const SurfaceModels& models, const SurfaceP
 
 }  // namespace
 
+std::vector<bool> seenSpots(const SectionView& section) {
+  std::vector<bool> seen = section.seenMarks;
+  seen.insert(seen.end(), section.seenRidges.begin(), section.seenRidges.end());
+  return seen;
+}
+
+std::vector<bool> seenSpots(const SectionView& section, const SurfaceView& view) {
+  const TriangleMesh& mesh = *section.surface->mesh;
+  std::vector<bool> seen;
+  for (const SectionMark& mark : section.marks.marks) seen.push_back(isSeen(mesh, view, mark.at));
+  for (const CrossedRidge& ridge : section.marks.ridges) {
+    seen.push_back(isSeen(mesh, view, ridge.at));
+  }
+  return seen;
+}
+
+std::vector<SectionSpot> sectionSpots(const SectionView& section, const std::vector<bool>& seen,
+                                      const Projection& projection, MarkKinds kinds,
+                                      Palette palette, double scale) {
+  const TriangleMesh& mesh = *section.surface->mesh;
+  const auto onScreen = [&](const Eigen::Vector3d& inFile) {
+    return projection.toScreen((inFile - mesh.origin) / mesh.unit);
+  };
+  std::vector<SectionSpot> spots;
+  const std::vector<SectionMark>& marks = section.marks.marks;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const MarkKind kind = marks[i].mark.kind;
+    const auto at = onScreen(marks[i].at);
+    if (!at || !contains(kinds, kind)) continue;
+    const bool hidden = !seen[i];
+    spots.push_back(
+        {markSymbol(kind, *at, scale * kSymbolSizePx, 0.0, palette, hidden), 0, *at, hidden});
+  }
+  for (std::size_t k = 0; k < section.pairs.size(); ++k) {
+    const auto& ridge = section.pairs[k].ridge;
+    if (!ridge) continue;
+    const auto at = onScreen(section.marks.ridges[*ridge].at);
+    if (at) spots.push_back({{}, static_cast<int>(k) + 1, *at, !seen[marks.size() + *ridge]});
+  }
+  return spots;
+}
+
 void paintPlane(QPainter& painter, const SurfaceModels& models, const Projection& projection) {
   const auto& setting = models.document.scene().surface;
   if (!setting || !setting->plane || !models.source.surface()) return;
@@ -75,26 +117,12 @@ void paintPlane(QPainter& painter, const SurfaceModels& models, const Projection
   const auto& section = models.bridges.section.view();
   if (section && section->surface->mesh == models.source.surface()->mesh) {
     const double scale = models.display.uiScale();
-    const TriangleMesh& mesh = *section->surface->mesh;
-    const auto onScreen = [&](const Eigen::Vector3d& inFile) {
-      return projection.toScreen((inFile - mesh.origin) / mesh.unit);
-    };
-    const MarkKinds kinds = models.display.families();
-    for (std::size_t i = 0; i < section->marks.marks.size(); ++i) {
-      const SectionMark& mark = section->marks.marks[i];
-      const auto at = onScreen(mark.at);
-      if (!at || !contains(kinds, mark.mark.kind)) continue;
-      const PathShape shape = markSymbol(mark.mark.kind, Vec2(*at), scale * kSymbolSizePx, 0.0,
-                                         themePalette(), !section->seenMarks[i]);
-      paintShape(painter, shape);
-    }
-    for (std::size_t k = 0; k < section->pairs.size(); ++k) {
-      const auto& ridge = section->pairs[k].ridge;
-      if (!ridge) continue;
-      const auto at = onScreen(section->marks.ridges[*ridge].at);
-      if (at) {
-        paintCrossing(painter, pointOf(*at), static_cast<int>(k) + 1, scale,
-                      !section->seenRidges[*ridge]);
+    for (const SectionSpot& spot : sectionSpots(*section, seenSpots(*section), projection,
+                                                models.display.families(), themePalette(), scale)) {
+      if (spot.crossing > 0) {
+        paintCrossing(painter, pointOf(spot.at), spot.crossing, scale, spot.hidden);
+      } else {
+        paintShape(painter, spot.symbol);
       }
     }
   }

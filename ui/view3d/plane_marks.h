@@ -2,11 +2,31 @@
 #pragma once
 
 #include "core3d/draw/camera.h"
+#include "ui/export/mark_style.h"
 #include "ui/view3d/surface_models.h"
 
 class QPainter;
 
 namespace flatland::ui {
+
+/// What is drawn at a place of a section.
+struct SectionSpot {
+  PathShape symbol;  ///< of a mark; empty for a crossing
+  int crossing = 0;  ///< its number, from 1; 0 for a mark
+  Vec2 at;           ///< px
+  bool hidden;
+};
+
+/// The marks of a section of the kinds that are shown, and where apparent ridges of the surface go
+/// through its plane. `seen` says what can be seen: marks first, then ridges.
+std::vector<SectionSpot> sectionSpots(const SectionView& section, const std::vector<bool>& seen,
+                                      const Projection& projection, MarkKinds kinds,
+                                      Palette palette, double scale);
+
+/// `seen` of sectionSpots() as the first view sees it, and as another one does: by trying every
+/// triangle for each.
+std::vector<bool> seenSpots(const SectionView& section);
+std::vector<bool> seenSpots(const SectionView& section, const SurfaceView& view);
 
 /// Paints the handles of the cutting plane over the picture of the surface, the marks of the
 /// section, and with numbers where apparent ridges of the surface go through the plane. Hidden

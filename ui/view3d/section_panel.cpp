@@ -15,7 +15,7 @@
 #include "ui/commands/section_command.h"
 #include "ui/model/bridge_words.h"
 #include "ui/model/cutting_plane.h"
-#include "ui/model/orbit.h"
+#include "ui/model/swept_surface.h"
 #include "ui/panels/wrap_row.h"
 
 namespace flatland::ui {
@@ -23,13 +23,6 @@ namespace flatland::ui {
 namespace {
 
 constexpr double kPerMille = 1e-3;
-
-SurfaceView viewOf(const SurfaceModels& models) {
-  constexpr double kAnySize = 100.0;  // the view depends on where the viewer stands alone
-  return orbitProjection(models.document.scene().surface->camera,
-                         models.source.surface()->ballRadius, kAnySize, kAnySize)
-      .view();
-}
 
 }  // namespace
 
@@ -179,7 +172,7 @@ void SectionPanel::cutAlongView() {
 void SectionPanel::cutAlongRidge() {
   const auto& hit = models_.pick.hit();
   if (!hit) return emit said(tr("Click on the surface first: t_A is that of a point."));
-  const auto plane = planeAlongRidgeAt(*models_.source.surface(), viewOf(models_), hit->at);
+  const auto plane = planeAlongRidgeAt(*models_.source.surface(), models_.foundView(), hit->at);
   if (!plane) return emit said(tr("There is no t_A at this point."));
   setPlane(plane, tr("cut along t_A"));
 }
@@ -188,7 +181,7 @@ void SectionPanel::removePlane() { setPlane(std::nullopt, tr("remove plane")); }
 
 void SectionPanel::openAsCurve() {
   const auto& section = models_.bridges.section.view();
-  const QString why = whyNotOpened(models_.document, section.get());
+  const QString why = whyNotOpened(section.get());
   if (!why.isEmpty()) return emit said(why);
   openSection(models_.document, *section);
   emit curvesOpened();
@@ -234,11 +227,13 @@ void SectionPanel::showPlane() {
 
 void SectionPanel::showSection() {
   const auto& section = models_.bridges.section.view();
-  const QString why = whyNotOpened(models_.document, section.get());
+  const QString why = whyNotOpened(section.get());
   open_->setEnabled(why.isEmpty());
-  open_->setToolTip(
-      why.isEmpty() ? tr("Put the section in the place of the scene's curves, seen as it is now")
-                    : why);
+  QString tip = tr("Put the section in the place of the scene's curves, seen as it is now");
+  if (isSwept(models_.document.scene())) {
+    tip += tr(". The swept surface goes with its curve; undo brings both back");
+  }
+  open_->setToolTip(why.isEmpty() ? tip : why);
   QStringList lines = section ? sectionWords(*section) : QStringList();
   if (section && !why.isEmpty() && !lines.contains(why)) lines << why;
   state_->setText(lines.join('\n'));

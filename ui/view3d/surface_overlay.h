@@ -32,8 +32,6 @@ class SurfaceOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// The legend of the colour map, if there is one; how much of the bottom it takes, px.
-  int paintLegend(QPainter& painter);
   QStringList predictedLines() const;
 
   SurfaceModels models_;

@@ -11,6 +11,8 @@
 #include "ui/export/figure_qt.h"
 #include "ui/model/orbit.h"
 #include "ui/model/theme.h"
+#include "ui/view3d/mark_groups.h"
+#include "ui/view3d/pane_marks.h"
 #include "ui/view3d/pane_menu.h"
 
 namespace flatland::ui {
@@ -172,9 +174,10 @@ class Painter {
     painter.setRenderHint(QPainter::Antialiasing);
     const HiddenLines hidden = hiddenOf(picture_.setting);
     for (const MarkLines& marks : picture_.marks) {
-      const LineLayer layer{&marks.ends, marks.colour, marks.widthPx, 0.0};
-      for (std::size_t i = 0; i + 1 < marks.ends.size(); i += 2) {
-        paintSegment(painter, marks.ends[i], marks.ends[i + 1], layer, hidden, marks.ink);
+      const std::vector<LineVertex>& ends = *marks.ends;
+      const LineLayer layer{&ends, marks.colour, marks.widthPx, 0.0};
+      for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        paintSegment(painter, ends[i], ends[i + 1], layer, hidden, marks.ink);
       }
     }
   }
@@ -334,15 +337,17 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
 
 namespace {
 
-void addMarks(SurfacePicture& picture, const Bridges& bridges) {
+void addMarks(SurfacePicture& picture, Bridges& bridges) {
   const auto& bridge = bridges.source.view();
   if (bridge && bridges.source.isShown() &&
       isSameSurface(*bridge->seen->surface, *picture.surface)) {
-    picture.marks = predictedLines(*bridge, picture.palette);
+    picture.bridge = bridge;
+    picture.marks = predictedLines(bridges, picture.palette);
   }
   const auto& section = bridges.section.view();
   if (section && section->surface->mesh == picture.surface->mesh) {
-    picture.marks.push_back(sectionLine(*section, picture.palette));
+    picture.section = section;
+    picture.marks.push_back(sectionLine(section, picture.palette));
   }
 }
 
@@ -359,6 +364,7 @@ SurfacePicture pictureOf(const SurfaceModels& models) {
   picture.pane = paneSetting(*models.document.scene().surface, models.pane);
   picture.surface = models.source.surface();
   picture.seen = models.seen.seen();
+  picture.markKinds = models.display.families();
   if (picture.surface) addMarks(picture, models.bridges);
   return picture;
 }
@@ -403,8 +409,31 @@ QImage paintSurface(const SurfacePicture& picture, const QSize& size) {
   return Painter(picture, size).paint();
 }
 
+namespace {
+
+/// With what the window has above it: marks, and the legend of its colours.
+QImage paintWithMarks(const SurfacePicture& picture, const QSize& size) {
+  constexpr int kMargin = 10;
+  QImage image = paintSurface(picture, size);
+  if (!picture.surface) return image;
+  QPainter painter(&image);
+  const Projection projection = orbitProjection(picture.setting.camera, picture.surface->ballRadius,
+                                                size.width(), size.height());
+  paintFigure(painter, {.width = static_cast<double>(size.width()),
+                        .height = static_cast<double>(size.height()),
+                        .background = std::nullopt,
+                        .groups = markGroups(picture, projection, picture.lineScale)});
+  const SceneColours& colours = sceneColours(picture.palette);
+  painter.setPen(toQColor(colours.text));
+  painter.setBackground(toQColor(colours.background));
+  paintLegend(painter, image.rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture);
+  return image;
+}
+
+}  // namespace
+
 QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size) {
-  if (pictures.size() == 1) return paintSurface(pictures.front(), size);
+  if (pictures.size() == 1) return paintWithMarks(pictures.front(), size);
   QImage all(size, QImage::Format_RGB32);
   const SceneColours& colours = sceneColours(pictures.front().palette);
   all.fill(toQColor(colours.background));
@@ -413,7 +442,7 @@ QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& s
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const CellPlace place = cellPlace(i, pictures.size(), size.width(), size.height());
     const QRect cell = QRectF(place.left, place.top, place.width, place.height).toRect();
-    painter.drawImage(cell.topLeft(), paintSurface(pictures[i], cell.size()));
+    painter.drawImage(cell.topLeft(), paintWithMarks(pictures[i], cell.size()));
     const int row = qRound(place.titleHeight);
     painter.drawText(QRect(cell.left() + 4, cell.top() - row, cell.width() - 8, row),
                      Qt::AlignLeft | Qt::AlignVCenter, QString::fromStdString(pictures[i].title));

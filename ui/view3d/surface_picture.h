@@ -20,6 +20,9 @@ struct SurfacePicture {
   std::shared_ptr<const LoadedSurface> surface;  ///< null: an empty picture
   std::shared_ptr<const SeenSurface> seen;       ///< null: no lines yet
   std::vector<MarkLines> marks;                  ///< predicted lines, a section
+  std::shared_ptr<const BridgeView> bridge;      ///< whose lines are shown; null: none are
+  std::shared_ptr<const SectionView> section;    ///< of this surface; null: none
+  MarkKinds markKinds;                           ///< of the section that are shown
   SurfaceSetting setting;  ///< of this view alone; its camera is that it is looked at from
   Palette palette = Palette::Light;
   double lineScale = 1.0;  ///< of the widths
@@ -69,7 +72,8 @@ inline constexpr float kHiddenInk = 0.5f;  ///< opacity of lines that are hidden
 /// any size; about 50 ms a megapixel.
 QImage paintSurface(const SurfacePicture& picture, const QSize& size);
 
-/// Several of them side by side, with their titles (figure_cells.h).
+/// Several of them side by side, with their titles (figure_cells.h), and with what the window has
+/// above them: marks and legends.
 QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size);
 
 }  // namespace flatland::ui

@@ -9,10 +9,14 @@
 #include <QVBoxLayout>
 
 #include "ui/lesson/lesson_words.h"
+#include "ui/view3d/pane_marks.h"
 
 namespace flatland::ui {
 
-QString verdictForPeople(const TriangleLesson& lesson) {
+namespace {
+
+/// What the filters say.
+QString filteredVerdict(const TriangleLesson& lesson) {
   QString sentence;
   switch (lesson.verdict) {
     case RidgeVerdict::UnknownNormal:
@@ -42,14 +46,23 @@ QString verdictForPeople(const TriangleLesson& lesson) {
       sentence = TrianglePanel::tr("A maximum: all directions point towards the line");
       break;
   }
+  const bool drawn = lesson.unfiltered ? lesson.verdict == RidgeVerdict::Kept : lesson.drawn;
   if (lesson.followsNeighbour()) {
     return lesson.drawn ? TrianglePanel::tr("%1. Drawn, as the triangle before it on the line.")
                               .arg(sentence)
                         : TrianglePanel::tr("%1. Dropped, as the triangle before it on the line.")
                               .arg(sentence);
   }
-  return lesson.drawn ? TrianglePanel::tr("%1. Kept.").arg(sentence)
-                      : TrianglePanel::tr("%1. Dropped.").arg(sentence);
+  return drawn ? TrianglePanel::tr("%1. Kept.").arg(sentence)
+               : TrianglePanel::tr("%1. Dropped.").arg(sentence);
+}
+
+}  // namespace
+
+QString verdictForPeople(const TriangleLesson& lesson) {
+  const QString verdict = filteredVerdict(lesson);
+  if (!lesson.unfiltered || !lesson.drawn || lesson.verdict == RidgeVerdict::Kept) return verdict;
+  return TrianglePanel::tr("Drawn, as every crossing. The filters would say: %1").arg(verdict);
 }
 
 TrianglePanel::TrianglePanel(SurfaceStudy& study, const Display& display, QWidget* parent)
@@ -146,7 +159,9 @@ void TrianglePanel::refresh() {
   }
   const Projection projection = study_.projection(1.0, 1.0);
   view_->show(lesson, projection.axes.row(0), projection.axes.row(1));
-  words_->setText("<b>" + verdictForPeople(*lesson).toHtmlEscaped() + "</b>");
+  const QString seenBy = seenByWords(study_.setting());
+  words_->setText((seenBy.isEmpty() ? QString() : seenBy + ' ') + "<b>" +
+                  verdictForPeople(*lesson).toHtmlEscaped() + "</b>");
   numbers_->setText(numbers(*lesson));
 }
 
