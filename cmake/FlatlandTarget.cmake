@@ -13,8 +13,9 @@ function(flatland_target target)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(FLATLAND_SANITIZE)
+    # GCC warns of uninitialized values that are none once the sanitizers have changed the code.
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
-                           -fno-omit-frame-pointer)
+                           -fno-omit-frame-pointer -Wno-maybe-uninitialized)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})

@@ -35,7 +35,7 @@ constexpr double kShrink = 0.36;                   // on the sheets
 constexpr double kLinePx = 1.9;                    // in the drawing, so that it stays a line there
 constexpr double kCaptionPx = 16.0;
 constexpr int kColumns = 4;
-constexpr std::size_t kRows = 5;  // meshes on a sheet
+constexpr std::size_t kRows = 7;  // meshes on a sheet
 
 struct Subject {
   std::string file;
@@ -132,7 +132,7 @@ void saveSheet(const std::vector<Row>& rows, const fs::path& file) {
       painter.save();
       painter.translate(static_cast<double>(c) * width, static_cast<double>(r) * height);
       painter.drawText(QPointF(6, 12),
-                       QString::fromStdString(rows[r].file + "  " + columns[c]) +
+                       QString::fromStdString((c == 0 ? rows[r].file + "  " : "") + columns[c]) +
                            QString("  %1 %").arg(100 * drawing.stats.ink, 0, 'f', 1));
       painter.translate(0, kCaptionPx);
       painter.scale(kShrink, kShrink);
