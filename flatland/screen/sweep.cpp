@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -142,7 +143,10 @@ class CurveSweeper {
   template <class Angle>
   void addBranch(MarkKind kind, double low, double high, Angle angleOf) {
     const auto sample = [&](double t) {
-      return SweepPoint{angleOf(jetAt(curve_, piece_, t)), piece_ + t, 0.0};
+      const Jet jet = jetAt(curve_, piece_, t);
+      const bool moves = jet.d1.squaredNorm() > 0.0;  // else it has no direction here
+      return SweepPoint{moves ? angleOf(jet) : std::numeric_limits<double>::quiet_NaN(), piece_ + t,
+                        0.0};
     };
     // Where the speed vanishes to a higher order it rounds to 0 a hair inside too.
     const auto endSample = [&](double end, double inwards) {

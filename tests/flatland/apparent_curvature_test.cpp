@@ -348,7 +348,9 @@ TEST(OnSurfaces, DegenerateAnswers) {
   EXPECT_EQ(flat->sum(), 0.0);
   EXPECT_EQ(flat->relativeGap, 0.0);
   EXPECT_EQ(flat->v, Eigen::Vector2d(1, 0));
-  SeenPoint<1> q{};
+  SeenPoint<1> q{};  // braces leave Eigen's matrices as they are
+  q.K.setZero();
+  q.wT.setZero();
   EXPECT_FALSE(apparentCurvature(q));
   q.nw = 1.0;
   ASSERT_TRUE(apparentCurvature(q));
