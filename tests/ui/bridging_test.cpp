@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Between flatland and surfaces in the real window, by mouse and keys.
 #include <Eigen/Geometry>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -566,6 +567,26 @@ class BridgingTest : public QObject {
     QVERIFY(view->section.plane.normal.cross(camera().towards).norm() > 0.999);
   }
 
+  /// What a view shows has no part in what its surface has.
+  void familiesLeftOutAreStillCompared() {
+    WindowDriver& d = *driver_;
+    extrude();
+    QVERIFY(agrees());
+    switchRidges();
+    QVERIFY(seen().seen()->found->of(LineFamily::ApparentRidges).empty());
+    QVERIFY(agrees());
+    d.trigger("surface.solid.gaussian-bump");
+    d.trigger("surface.plane.view");
+    QVERIFY(quiet());
+    const std::size_t ridges = section().view()->marks.ridges.size();
+    QVERIFY(ridges > 0);
+    const auto shown = seen().seen();
+    switchRidges();
+    QVERIFY(seen().seen()->found->of(LineFamily::ApparentRidges).size() !=
+            shown->found->of(LineFamily::ApparentRidges).size());
+    QCOMPARE(section().view()->marks.ridges.size(), ridges);
+  }
+
   void theStudyMeasuresResolutions() {
     extrude();
     WindowDriver& d = *driver_;
@@ -632,6 +653,16 @@ class BridgingTest : public QObject {
     QVERIFY(source().surface() && source().surface()->swept);
     driver_->window().activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&driver_->window()));
+  }
+  void switchRidges() {
+    driver_->window().docks().show("families");
+    driver_->settle();
+    auto& on = driver_->child<QCheckBox>("families.apparent-ridges.on");
+    const bool before = on.isChecked();
+    on.setFocus();
+    QTest::keyClick(&on, Qt::Key_Space);
+    QVERIFY(on.isChecked() != before);
+    QVERIFY(quiet());
   }
   /// Ridges are there, and where they are predicted.
   bool agrees() {

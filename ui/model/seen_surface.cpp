@@ -54,7 +54,7 @@ PaneSetting findingPart(PaneSetting pane) {
 }  // namespace
 
 /// Keeps what one search lends to the next; searches of one view take turns.
-struct SeenSource::Worker {
+struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
   explicit Worker(std::shared_ptr<const LoadedSurface> of) : surface(std::move(of)) {}
 
   std::shared_ptr<const SeenSurface> search(const Wanted& wanted, const SurfaceView& view) {
@@ -64,8 +64,12 @@ struct SeenSource::Worker {
     auto seen = std::make_shared<SeenSurface>();
     seen->surface = surface;
     seen->view = view;
+    seen->find = [self = shared_from_this(), view](const LineOptions& options) {
+      return self->find(view, options);
+    };
+    seen->asked = lineOptionsOf(pane);
     const auto start = Clock::now();
-    auto found = std::make_shared<const FeatureLines>(finder->find(view, lineOptionsOf(pane)));
+    auto found = std::make_shared<const FeatureLines>(finder->find(view, seen->asked));
     seen->lineMs = millisecondsSince(start);
     if (wanted.first) {
       seen->difference = compared(*found, finder->find(view, lineOptionsOf(*wanted.first)));
@@ -81,6 +85,11 @@ struct SeenSource::Worker {
       seen->colourMs = millisecondsSince(colouring);
     }
     return seen;
+  }
+
+  FeatureLines find(const SurfaceView& view, const LineOptions& options) {
+    const std::lock_guard lock(turn);
+    return finder->find(view, options);
   }
 
   SeenDifference compared(const FeatureLines& lines, const FeatureLines& first) {
@@ -102,6 +111,17 @@ struct SeenSource::Worker {
   std::optional<LineFinder> finder;  ///< made by the first search
   std::optional<double> tolerance;   ///< likewise
 };
+
+std::shared_ptr<const FeatureLines> linesToCompare(const SeenSurface& seen) {
+  using enum LineFamily;
+  LineOptions wanted;
+  wanted[OccludingContours] = wanted[ApparentRidges] = true;
+  wanted.threshold[static_cast<std::size_t>(ApparentRidges)] = 0.0;
+  wanted.derivative = seen.asked.derivative;
+  const bool shown = seen.asked[OccludingContours] && seen.asked[ApparentRidges] &&
+                     seen.asked.thresholdOf(ApparentRidges) == 0.0 && !seen.asked.unfiltered;
+  return shown ? seen.found : std::make_shared<const FeatureLines>(seen.find(wanted));
+}
 
 SeenSource::SeenSource(const Document& document, const SurfaceSource& source, std::size_t pane,
                        const SeenSource* first, const InkSource* ink, QObject* parent)
