@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// TinyGLTF is compiled here and used nowhere else. It reads the JSON and gathers the buffers; the
-// ranges of accessors are checked below, for it does not check them.
+// TinyGLTF is compiled here and used nowhere else. It reads the JSON of meshes and accessors; what
+// their ranges are in is checked below, for it does not check them.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <utility>
 
 #include "core3d/io/binary_bytes.h"
+#include "core3d/io/gltf_buffers.h"
 #include "core3d/io/gltf_file.h"
 #include "core3d/io/read_mesh.h"
 #include "core3d/io/text_cursor.h"
@@ -25,94 +27,34 @@ namespace flatland {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 // A file may show one mesh many times, by nodes: a forest of one tree has 30 values for each of its
 // bytes. With these a file of a few kilobytes still takes less than 200 MB and a second.
 constexpr std::size_t kMaxGrowth = 32;
 constexpr std::size_t kFreeValues = 1'000'000;
 
-// The files beside a glTF file that it may name.
-struct Neighbours {
-  fs::path folder;
-  std::set<fs::path> read;
-  std::size_t bytes = 0;
-
-  // The file of that name, if it lies in the folder or below, also after following links.
-  std::optional<fs::path> find(const std::string& name) const {
-    if (folder.empty()) return std::nullopt;
-    std::error_code error;
-    const fs::path home = fs::canonical(folder, error);
-    if (error) return std::nullopt;
-    const fs::path file = fs::canonical(home / name, error);
-    if (error || !fs::is_regular_file(file, error)) return std::nullopt;
-    const auto [end, rest] = std::mismatch(home.begin(), home.end(), file.begin(), file.end());
-    if (end != home.end()) return std::nullopt;
-    return file;
+// Of TinyGLTF's messages, which may quote any amount of the file.
+std::string firstLine(const std::string& text) {
+  constexpr std::size_t kLongest = 200;
+  std::string line = text.substr(0, std::min(text.find('\n'), kLongest));
+  for (char& c : line) {
+    if (c < ' ' || c > '~') c = '?';
   }
-};
-
-tinygltf::FsCallbacks callbacksFor(Neighbours& neighbours) {
-  tinygltf::FsCallbacks callbacks{};
-  callbacks.user_data = &neighbours;
-  callbacks.FileExists = [](const std::string& name, void* data) {
-    return static_cast<Neighbours*>(data)->find(name).has_value();
-  };
-  callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
-  callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error,
-                               const std::string& name, void* data) {
-    auto& known = *static_cast<Neighbours*>(data);
-    const auto file = known.find(name);
-    // Named a second time it would only take up memory.
-    if (!file || !known.read.insert(*file).second) {
-      *error = "named twice";
-      return false;
-    }
-    const std::string bytes = readWholeFile(*file);
-    known.bytes += bytes.size();
-    out->assign(bytes.begin(), bytes.end());
-    return true;
-  };
-  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
-                                void*) { return false; };
-  return callbacks;
+  return line;
 }
-
-// TinyGLTF takes a GLB from one block of memory.
-std::string repacked(const GltfFile& file) {
-  std::string json = file.json;
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  std::string all;
-  const auto put = [&all](std::size_t value) {
-    for (int shift = 0; shift < 32; shift += 8) all += static_cast<char>((value >> shift) & 0xff);
-  };
-  const std::size_t binary = file.binary.empty() ? 0 : 8 + (file.binary.size() + 3) / 4 * 4;
-  all.reserve(20 + json.size() + binary);
-  all += "glTF";
-  put(2);
-  put(20 + json.size() + binary);
-  put(json.size());
-  all += "JSON" + json;
-  if (binary > 0) {
-    put(binary - 8);
-    all += std::string_view("BIN\0", 4);
-    all += file.binary;
-    all.resize(20 + json.size() + binary, '\0');
-  }
-  return all;
-}
-
-std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 class GltfReader {
  public:
-  GltfReader(const tinygltf::Model& model, const std::string& source, std::size_t bytes)
-      : model_(model), source_(source), room_(kFreeValues + kMaxGrowth * bytes) {}
+  /// `bytes` is the length of the file itself.
+  GltfReader(const tinygltf::Model& model, const GltfFile& file, GltfBuffers& buffers,
+             const std::string& source, std::size_t bytes)
+      : model_(model), file_(file), buffers_(buffers), source_(source), bytes_(bytes) {
+    soup_.notes = file.notes;
+  }
 
   PolygonSoup read() {
-    if (model_.nodes.empty()) {
+    if (file_.nodes.empty()) {
       for (std::size_t i = 0; i < model_.meshes.size(); ++i) {
-        addMesh(static_cast<int>(i), Eigen::Affine3d::Identity());
+        addMesh(i, Eigen::Affine3d::Identity());
       }
     } else {
       walkNodes();
@@ -130,11 +72,12 @@ class GltfReader {
   struct Values {
     const char* data;
     std::size_t count, stride;
-    int component;    // glTF's number of the type
-    bool normalized;  // whole numbers stand for fractions
+    int component;          // glTF's number of the type
+    bool normalized;        // whole numbers stand for fractions
+    std::vector<char> own;  // what `data` leads to, if that stands nowhere in the file
   };
   struct Pending {
-    int node;
+    std::uint32_t node;
     Eigen::Affine3d outer;
   };
 
@@ -143,103 +86,133 @@ class GltfReader {
   }
 
   void spend(std::size_t count) {
-    if (count > room_) fail("", "shows its meshes too many times over");
-    room_ -= count;
+    const std::size_t room = kFreeValues + kMaxGrowth * (bytes_ + buffers_.bytesRead());
+    if (count > room || spent_ > room - count) {
+      fail("", "shows its meshes too many times over");
+    }
+    spent_ += count;
   }
 
   void walkNodes() {
-    std::vector<int> roots;
-    if (!model_.scenes.empty()) {
-      const int scene = std::max(model_.defaultScene, 0);
-      if (static_cast<std::size_t>(scene) >= model_.scenes.size()) fail("scene", "does not exist");
-      roots = model_.scenes[static_cast<std::size_t>(scene)].nodes;
-    } else {
-      std::set<int> children;
-      for (const auto& node : model_.nodes) {
-        children.insert(node.children.begin(), node.children.end());
-      }
-      for (int i = 0; i < static_cast<int>(model_.nodes.size()); ++i) {
-        if (!children.contains(i)) roots.push_back(i);
-      }
-    }
     std::vector<Pending> pending;
-    for (auto i = roots.rbegin(); i != roots.rend(); ++i) {
-      pending.push_back({*i, Eigen::Affine3d::Identity()});
-    }
-    std::vector<char> seen(model_.nodes.size(), 0);
+    const auto push = [&](const std::vector<std::uint32_t>& nodes, const Eigen::Affine3d& outer) {
+      for (auto i = nodes.rbegin(); i != nodes.rend(); ++i) {
+        const std::string place = "nodes[" + std::to_string(*i) + "]";
+        if (*i >= seen_.size()) fail(place, "does not exist");
+        // Nodes form trees; without this check a loop would never end.
+        if (std::exchange(seen_[*i], 1)) fail(place, "has two parents");
+        pending.push_back({*i, outer});
+      }
+    };
+    seen_.assign(file_.nodes.size(), 0);
+    push(file_.roots, Eigen::Affine3d::Identity());
     while (!pending.empty()) {
       const auto [index, outer] = pending.back();
       pending.pop_back();
-      const std::string place = "nodes[" + std::to_string(index) + "]";
-      if (index < 0 || static_cast<std::size_t>(index) >= seen.size())
-        fail(place, "does not exist");
-      // Nodes form trees; without this check a loop would never end.
-      if (std::exchange(seen[static_cast<std::size_t>(index)], 1)) fail(place, "has two parents");
-      const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
-      const Eigen::Affine3d here = outer * transformOf(node, place);
-      if (node.mesh >= 0) addMesh(node.mesh, here);
-      for (auto i = node.children.rbegin(); i != node.children.rend(); ++i) {
-        pending.push_back({*i, here});
-      }
+      const GltfNode& node = file_.nodes[index];
+      const Eigen::Affine3d here =
+          node.transform ? outer * file_.transforms[*node.transform] : outer;
+      if (node.mesh) addMesh(*node.mesh, here);
+      push(node.children, here);
     }
   }
 
-  Eigen::Affine3d transformOf(const tinygltf::Node& node, const std::string& place) const {
-    const auto sized = [&](const std::vector<double>& v, std::size_t size) {
-      if (!v.empty() && v.size() != size) fail(place, "a transform has the wrong number of values");
-      return !v.empty();
-    };
-    Eigen::Affine3d result = Eigen::Affine3d::Identity();
-    if (sized(node.matrix, 16)) {
-      result.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
-      return result;
+  // `size` bytes for each of `count` values, `stride` apart. No sum here can pass the range of
+  // size_t, whatever the file says.
+  const char* rangeOf(std::int64_t viewIndex, std::size_t offset, std::size_t count,
+                      std::size_t size, std::size_t stride, const std::string& here) {
+    if (viewIndex < 0 || static_cast<std::size_t>(viewIndex) >= model_.bufferViews.size()) {
+      fail(here, "has no data");
     }
-    if (sized(node.translation, 3)) {
-      result.translate(Eigen::Map<const Eigen::Vector3d>(node.translation.data()));
+    const auto& view = model_.bufferViews[static_cast<std::size_t>(viewIndex)];
+    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= buffers_.count()) {
+      fail(here, "has no buffer");
     }
-    if (sized(node.rotation, 4)) {
-      const Eigen::Quaterniond turn(node.rotation[3], node.rotation[0], node.rotation[1],
-                                    node.rotation[2]);
-      if (!(turn.norm() > 0.0)) fail(place, "a rotation is zero");
-      result.rotate(turn.normalized());
-    }
-    if (sized(node.scale, 3)) result.scale(Eigen::Map<const Eigen::Vector3d>(node.scale.data()));
-    return result;
+    const std::string_view data = buffers_.bytes(static_cast<std::size_t>(view.buffer));
+    const bool viewFits =
+        view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset;
+    const std::size_t length = viewFits ? view.byteLength : 0;
+    const bool fits = count > 0 && stride >= size && offset <= length && size <= length - offset &&
+                      count - 1 <= (length - offset - size) / stride;
+    if (!fits) fail(here, "reaches beyond its buffer");
+    return data.data() + view.byteOffset + offset;
   }
 
-  Values valuesOf(int index, int type, const std::string& place) const {
+  Values valuesOf(int index, int type, const std::string& place) {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) {
       fail(place, "accessor " + std::to_string(index) + " does not exist");
     }
     const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
     const std::string here = "accessors[" + std::to_string(index) + "]";
     if (accessor.type != type) fail(here, "has the wrong type");
-    if (accessor.sparse.isSparse) fail(here, "is sparse, which cannot be read");
-    if (accessor.bufferView < 0 ||
-        static_cast<std::size_t>(accessor.bufferView) >= model_.bufferViews.size()) {
-      fail(here, "has no data");
-    }
-    const auto& view = model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model_.buffers.size()) {
-      fail(here, "has no buffer");
-    }
-    const auto& data = model_.buffers[static_cast<std::size_t>(view.buffer)].data;
     const int component =
         tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
     const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type));
     if (component <= 0 || components <= 0) fail(here, "has values of unknown type");
     const auto size = static_cast<std::size_t>(component) * static_cast<std::size_t>(components);
-    const std::size_t stride = view.byteStride == 0 ? size : view.byteStride;
-    // No sum here can pass the range of size_t, whatever the file says.
-    const bool viewFits =
-        view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset;
-    const std::size_t length = viewFits ? view.byteLength : 0;
-    const bool fits = accessor.count > 0 && stride >= size && accessor.byteOffset <= length &&
-                      size <= length - accessor.byteOffset &&
-                      accessor.count - 1 <= (length - accessor.byteOffset - size) / stride;
-    if (!fits) fail(here, "reaches beyond its buffer");
-    return {reinterpret_cast<const char*>(data.data()) + view.byteOffset + accessor.byteOffset,
-            accessor.count, stride, accessor.componentType, accessor.normalized};
+    Values values{nullptr, accessor.count, size, accessor.componentType, accessor.normalized, {}};
+    const int view = accessor.bufferView;
+    if (view >= 0) {
+      const bool known = static_cast<std::size_t>(view) < model_.bufferViews.size();
+      const std::size_t stride =
+          known ? model_.bufferViews[static_cast<std::size_t>(view)].byteStride : 0;
+      if (stride > 0) values.stride = stride;
+      values.data = rangeOf(view, accessor.byteOffset, values.count, size, values.stride, here);
+    }
+    if (view < 0 || accessor.sparse.isSparse) {
+      // Zeros where the file has no values. Their number is not bounded by its length.
+      spend(values.count);
+      std::vector<char> own(values.count * size, 0);
+      for (std::size_t i = 0; view >= 0 && i < values.count; ++i) {
+        std::copy_n(values.data + i * values.stride, size, own.data() + i * size);
+      }
+      values.own = std::move(own);
+      values.data = values.own.data();
+      values.stride = size;
+    }
+    if (accessor.sparse.isSparse) replaceSome(values, accessor, here);
+    return values;
+  }
+
+  // A sparse accessor: values that stand elsewhere, with their places in rising order.
+  void replaceSome(Values& values, const tinygltf::Accessor& accessor, const std::string& here) {
+    const auto& sparse = accessor.sparse;
+    const int component = sparse.indices.componentType;
+    if (!isIndex(component)) fail(here, "has sparse indices that are not whole numbers");
+    const int bytes = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component));
+    const auto count = static_cast<std::size_t>(std::max(sparse.count, 0));
+    const auto width = static_cast<std::size_t>(bytes);
+    if (count > values.count) fail(here, "replaces more values than it has");
+    const auto offset = [&](int value) {
+      if (value < 0) fail(here, "reaches beyond its buffer");
+      return static_cast<std::size_t>(value);
+    };
+    const Values places{rangeOf(sparse.indices.bufferView, offset(sparse.indices.byteOffset), count,
+                                width, width, here),
+                        count,
+                        width,
+                        component,
+                        false,
+                        {}};
+    const std::size_t size = values.stride;
+    const char* const others = rangeOf(sparse.values.bufferView, offset(sparse.values.byteOffset),
+                                       count, size, size, here);
+    double last = -1.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double place = number(places, i, 0);
+      if (!(place > last) || place >= static_cast<double>(values.count)) {
+        fail(here, "its sparse indices do not rise, or lead nowhere");
+      }
+      last = place;
+      std::copy_n(others + i * size, size,
+                  values.own.data() + static_cast<std::size_t>(place) * size);
+    }
+  }
+
+  static bool isIndex(int component) {
+    return component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+           component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   }
 
   static double number(const Values& values, std::size_t i, std::size_t k) {
@@ -273,13 +246,11 @@ class GltfReader {
     }
   }
 
-  void addMesh(int index, const Eigen::Affine3d& transform) {
+  void addMesh(std::size_t index, const Eigen::Affine3d& transform) {
     const std::string place = "meshes[" + std::to_string(index) + "]";
-    if (index < 0 || static_cast<std::size_t>(index) >= model_.meshes.size()) {
-      fail(place, "does not exist");
-    }
+    if (index >= model_.meshes.size()) fail(place, "does not exist");
     std::map<int, std::uint32_t> placed;  // accessors of this mesh that are in the soup, by number
-    for (const auto& primitive : model_.meshes[static_cast<std::size_t>(index)].primitives) {
+    for (const auto& primitive : model_.meshes[index].primitives) {
       addPrimitive(primitive, transform, placed, place);
     }
   }
@@ -303,10 +274,8 @@ class GltfReader {
     std::vector<std::uint32_t> corners;
     if (primitive.indices >= 0) {
       const Values indices = valuesOf(primitive.indices, TINYGLTF_TYPE_SCALAR, place);
-      const bool whole = indices.component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                         indices.component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-                         indices.component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-      if (!whole || indices.normalized) fail(place, "has indices that are not whole numbers");
+      if (!isIndex(indices.component) || indices.normalized)
+        fail(place, "has indices that are not whole numbers");
       spend(indices.count);
       corners.reserve(indices.count);
       for (std::size_t i = 0; i < indices.count; ++i) {
@@ -359,10 +328,13 @@ class GltfReader {
   }
 
   const tinygltf::Model& model_;
+  const GltfFile& file_;
+  GltfBuffers& buffers_;
   const std::string& source_;
+  std::size_t bytes_;
   PolygonSoup soup_;
-  std::size_t room_;
-  std::size_t skipped_ = 0;
+  std::vector<char> seen_;  // nodes
+  std::size_t spent_ = 0, skipped_ = 0;
 };
 
 }  // namespace
@@ -370,32 +342,22 @@ class GltfReader {
 PolygonSoup readGltf(std::string_view bytes, const std::string& source,
                      const std::filesystem::path& folder) {
   if (bytes.size() > 0xffffffffu) throw InputError(source, "", "is longer than 4 GB");
-  const GltfFile file = openGltf(bytes, source);
-  Neighbours neighbours{folder, {}, bytes.size()};
+  GltfFile file = openGltf(bytes, source);
+  GltfBuffers buffers(file, source, folder);
   tinygltf::TinyGLTF reader;
-  reader.SetFsCallbacks(callbacksFor(neighbours));
   tinygltf::Model model;
   std::string error, warning;
   bool read = false;
   try {
-    if (file.isGlb) {
-      const std::string glb = repacked(file);
-      read = reader.LoadBinaryFromMemory(&model, &error, &warning,
-                                         reinterpret_cast<const unsigned char*>(glb.data()),
-                                         static_cast<unsigned int>(glb.size()));
-    } else {
-      read = reader.LoadASCIIFromString(&model, &error, &warning, file.json.data(),
-                                        static_cast<unsigned int>(file.json.size()), "");
-    }
-  } catch (const InputError&) {
-    throw;
+    read = reader.LoadASCIIFromString(&model, &error, &warning, file.json.data(),
+                                      static_cast<unsigned int>(file.json.size()), "");
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& thrown) {
     error = thrown.what();
   }
   if (!read) throw InputError(source, "", "is no valid glTF: " + firstLine(error));
-  return GltfReader(model, source, neighbours.bytes).read();
+  return GltfReader(model, file, buffers, source, bytes.size()).read();
 }
 
 }  // namespace flatland

@@ -32,9 +32,8 @@ PlyScalar scalarNamed(std::string_view name, const TextCursor& text) {
 // The bytes up to and with the line "end_header"; throws if there is none.
 std::size_t headerLength(std::string_view bytes, const std::string& source) {
   // The style of the first line is that of all: after a bare \r the data may begin with \n.
-  const std::string_view lineEnd = bytes.substr(0, 5) == "ply\r\n" ? "\r\n"
-                                   : bytes.substr(0, 4) == "ply\r" ? "\r"
-                                                                   : "\n";
+  const std::string_view firstEnd = bytes.substr(bytes.find_first_of("\r\n"), 2);
+  const std::string_view lineEnd = firstEnd == "\r\n" ? firstEnd : firstEnd.substr(0, 1);
   const std::string_view start = bytes.substr(0, kLongestHeader);
   for (std::size_t line = 0; line < start.size();) {
     const std::size_t end = std::min(start.find(lineEnd, line), start.size());
@@ -56,7 +55,9 @@ std::optional<std::size_t> PlyElement::find(std::string_view property) const {
 }
 
 PlyHeader readPlyHeader(std::string_view bytes, const std::string& source) {
-  if (bytes.substr(0, 3) != "ply" || bytes.size() < 4 || (bytes[3] != '\n' && bytes[3] != '\r')) {
+  const std::size_t afterWord = std::min(bytes.find_first_not_of(" \t", 3), bytes.size());
+  if (bytes.substr(0, 3) != "ply" || afterWord == bytes.size() ||
+      (bytes[afterWord] != '\n' && bytes[afterWord] != '\r')) {
     throw InputError(source, "line 1", "not a PLY file: it does not begin with the line 'ply'");
   }
   PlyHeader header;

@@ -25,8 +25,10 @@ class AsciiData {
   AsciiData(std::string_view bytes, const std::string& source, const PlyHeader& header)
       : text_(bytes.substr(header.bytes), source, {}, header.lines + 1) {}
 
+  // A value takes two bytes: a digit and what ends it.
   bool canHold(const PlyElement& element) const {
-    return element.properties.empty() || element.count <= text_.bytesLeft();
+    const std::size_t size = 2 * element.properties.size();
+    return size == 0 || element.count <= (text_.bytesLeft() + 1) / size;
   }
   void begin() {
     if (!text_.nextLine()) text_.fail("the file ends too early");
@@ -217,6 +219,7 @@ class PlyReader {
   }
 
   void readFaces(const PlyElement& element) {
+    if (element.count == 0) return;
     auto list = element.find("vertex_indices");
     if (!list) list = element.find("vertex_index");
     if (!list || !element.properties[*list].countType || !isWhole(element.properties[*list].type)) {

@@ -40,12 +40,15 @@ PolygonSoup readObj(std::string_view bytes, const std::string& source);
 /// Every facet has vertices of its own; buildMesh welds them.
 PolygonSoup readStl(std::string_view bytes, const std::string& source);
 
-/// Ascii: OFF with any of the prefixes ST, C and N, or without the word; colours are passed over.
+/// Ascii and binary: OFF with any of the prefixes ST, C, N, 4 (homogeneous) and n (if of three
+/// dimensions), or without the word; colours are passed over. Lines may be broken anywhere, but
+/// have to end after the vertices and after each face.
 PolygonSoup readOff(std::string_view bytes, const std::string& source);
 
 /// glTF 2.0 as text or binary (GLB): all meshes of the default scene (without one: of all nodes;
-/// without nodes: all meshes) with their nodes' transforms, as triangles, strips and fans. Buffers
-/// in other files are read from `folder` and below alone; with an empty folder from nowhere.
+/// without nodes: all meshes) with their nodes' transforms, as triangles, strips and fans; sparse
+/// accessors too. Skins and morph targets are passed over. Buffers in other files are read from
+/// `folder` and below alone; with an empty folder from nowhere.
 PolygonSoup readGltf(std::string_view bytes, const std::string& source,
                      const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "core3d/io/binary_bytes.h"
 #include "core3d/io/read_mesh.h"
@@ -24,25 +25,31 @@ bool sameWord(std::string_view word, std::string_view lower) {
 PolygonSoup readAscii(std::string_view bytes, const std::string& source) {
   TextCursor text(bytes, source, {});
   PolygonSoup soup;
-  // A word that has to come next, perhaps on a later line.
+  const auto next = [&] {
+    const std::string_view word = text.word();
+    return word.empty() && text.nextLine() ? text.word() : word;
+  };
   const auto expect = [&](std::string_view expected) {
-    std::string_view word = text.word();
-    if (word.empty() && text.nextLine()) word = text.word();
+    const std::string_view word = next();
     if (!sameWord(word, expected)) {
       text.fail("'" + std::string(expected) + "' is missing" +
                 (word.empty() ? ": the file ends" : ", there is " + inQuotes(word)));
     }
   };
-  while (text.nextLine()) {
-    const std::string_view word = text.word();
-    // Names of solids and normals are passed over; the latter are often wrong or not a number.
-    if (sameWord(word, "solid") || sameWord(word, "endsolid")) {
+  bool begun = false;
+  for (std::string_view word = next(); !word.empty(); word = next()) {
+    // Names of solids are passed over, also one that is joined to the file's first word.
+    const bool named = !std::exchange(begun, true) && sameWord(word.substr(0, 5), "solid");
+    if (named || sameWord(word, "solid") || sameWord(word, "endsolid")) {
       text.skipRestOfLine();
       continue;
     }
     if (!sameWord(word, "facet")) text.fail("'facet' expected, there is " + inQuotes(word));
-    text.skipRestOfLine();
-    expect("outer");
+    // So are normals, which are often wrong or not a number.
+    do {
+      word = text.word();
+    } while (!word.empty() && !sameWord(word, "outer"));
+    if (word.empty()) expect("outer");
     expect("loop");
     const auto first = static_cast<std::uint32_t>(soup.vertexCount());
     for (int k = 0; k < 3; ++k) {
@@ -107,9 +114,11 @@ PolygonSoup readStl(std::string_view bytes, const std::string& source) {
   std::string_view start = bytes.substr(0, 1024);
   if (start.substr(0, 3) == "\xEF\xBB\xBF") start.remove_prefix(3);
   const std::size_t word = start.find_first_not_of(" \t\r\n");
-  const bool solid = word != std::string_view::npos && sameWord(start.substr(word, 5), "solid");
+  const std::string_view first =
+      word == std::string_view::npos ? std::string_view() : start.substr(word, 5);
+  const bool isText = sameWord(first, "solid") || sameWord(first, "facet");
   // A text has no zero bytes; the header of a binary file is filled up with them or with blanks.
-  if (solid && start.find('\0') == std::string_view::npos) {
+  if (isText && start.find('\0') == std::string_view::npos) {
     return readAscii(bytes.substr(static_cast<std::size_t>(start.data() - bytes.data())), source);
   }
   return readBinary(bytes, source);

@@ -121,15 +121,131 @@ TEST(Gltf, BuffersComeFromTheFolderAlone) {
   EXPECT_EQ(messageOf(gltf("./b/../b/my%20data.bin"), home), "no error");
   for (const std::string& uri : {std::string("../secret.bin"), std::string("b/link.bin"),
                                  (folder.path() / "secret.bin").string(), std::string("b")}) {
-    EXPECT_NE(messageOf(gltf(uri), home).find("File not found"), std::string::npos) << uri;
+    EXPECT_EQ(messageOf(gltf(uri), home).find("file: buffers[0]: there is no file '"), 0u) << uri;
   }
   EXPECT_NE(messageOf(gltf("b/my%20data.bin"), ""), "no error");
+  EXPECT_EQ(messageOf(gltf("b/my data.bin"), home), "no error");
+  EXPECT_EQ(
+      messageOf(gltf("b/my%20data.bin%00"), home),
+      "file: buffers[0]: there is no file 'b/my%20data.bin%00' beside this one or in a folder "
+      "below");
+  EXPECT_EQ(
+      messageOf(gltf("http://example.org/b.bin"), home),
+      "file: buffers[0]: 'http://example.org/b.bin' is an address; only files beside this one "
+      "are read");
   // Written out in the file itself.
   EXPECT_EQ(
       messageOf(
           "{" + kData + meshWith(R"({"attributes":{"POSITION":0}})") +
           R"("buffers":[{"byteLength":3,"uri":"data:application/octet-stream;base64,AAAA"}]})"),
       "file: accessors[0]: reaches beyond its buffer");
+}
+
+TEST(Gltf, BuffersMayBeLongerSharedOrUnused) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "a.bin", std::ios::binary) << squareBytes() << "and more";
+  const auto gltf = [&](const std::string& buffers, int second) {
+    std::string data = kData;
+    data.replace(data.find(R"({"buffer":0,"byteOffset":48)"), 11,
+                 R"({"buffer":)" + std::to_string(second));
+    return "{" + data + meshWith(kTriangles) + "\"buffers\":[" + buffers + "]}";
+  };
+  const std::string one = R"({"byteLength":60,"uri":"a.bin"})";
+  EXPECT_EQ(messageOf(gltf(one, 0), folder.path()), "no error");
+  EXPECT_EQ(messageOf(gltf(one + "," + one, 1), folder.path()), "no error");
+  EXPECT_EQ(messageOf(gltf(one + R"(,{"byteLength":9,"uri":"missing"})", 0), folder.path()),
+            "no error");
+  EXPECT_EQ(messageOf(gltf(R"({"byteLength":69,"uri":"a.bin"})", 0), folder.path()),
+            "file: buffers[0]: should have 69 bytes, but has 68");
+  // What lies beyond the stated length does not count.
+  EXPECT_EQ(messageOf(gltf(R"({"byteLength":59,"uri":"a.bin"})", 0), folder.path()),
+            "file: accessors[1]: reaches beyond its buffer");
+}
+
+TEST(Gltf, DataUris) {
+  const auto message = [](const std::string& uri) {
+    return messageOf(
+        R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+        R"("accessors":[{"bufferView":0,"componentType":5121,"count":3,"type":"VEC3"}],)"
+        R"("bufferViews":[{"buffer":0,"byteLength":9}],"buffers":[{"byteLength":9,"uri":")" +
+        uri + "\"}]}");
+  };
+  // Nine bytes: 0 0 0, 1 0 0, 0 1 255; with each of the letters of base64 that is not one or digit.
+  EXPECT_EQ(message("data:application/octet-stream;base64,AAAAAQAAAAH/"), "no error");
+  EXPECT_EQ(message("data:application/gltf-buffer;base64,AAAAAQAAAAH/"), "no error");
+  EXPECT_EQ(message("data:;base64,AAAAAQAAAAH/AA=="), "no error");
+  EXPECT_EQ(message("data:;base64,AAAAAQAAAAE="),
+            "file: buffers[0]: should have 9 bytes, but has 8");
+  EXPECT_EQ(message("data:;base64,AAAAAQAAAA-/"),
+            "file: buffers[0]: the base64 of its data URI is malformed");
+  EXPECT_EQ(message("data:text/plain,AAAAAQAAAAEA"),
+            "file: buffers[0]: its data URI is not base64");
+}
+
+// Of four points two are replaced; then all but the first, of points that stand nowhere; then some
+// indices.
+TEST(Gltf, SparseAccessors) {
+  const auto binary = [](int first, int second) {
+    std::string bytes = squareBytes();
+    for (const int place : {first, second}) {
+      bytes += static_cast<char>(place);
+      bytes += '\0';
+    }
+    for (const float value : {7.f, 8.f, 9.f, 4.f, 5.f, 6.f}) {
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    return bytes;
+  };
+  const auto json = [](const std::string& base, const std::string& count,
+                       const std::string& indexType = "5123", const std::string& offset = "0") {
+    return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":88}],"bufferViews":[)"
+           R"({"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":60,"byteLength":4},)"
+           R"({"buffer":0,"byteOffset":64,"byteLength":24}],"accessors":[{)" +
+           base + R"("componentType":5126,"count":4,"type":"VEC3","sparse":{"count":)" + count +
+           R"(,"indices":{"bufferView":1,"componentType":)" + indexType +
+           R"(},"values":{"bufferView":2,"byteOffset":)" + offset +
+           R"(}}}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":5}]}]})";
+  };
+  const std::string view = R"("bufferView":0,)";
+  EXPECT_EQ(readGltf(glb(json(view, "2"), binary(1, 3)), "", "").positions,
+            (std::vector<double>{0, 0, 0, 7, 8, 9, 1, 1, 0, 4, 5, 6}));
+  EXPECT_EQ(readGltf(glb(json("", "2"), binary(0, 2)), "", "").positions,
+            (std::vector<double>{7, 8, 9, 0, 0, 0, 4, 5, 6, 0, 0, 0}));
+  EXPECT_EQ(readGltf(glb(json(view, "1", "5123", "12"), binary(3, 0)), "", "").positions,
+            (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 4, 5, 6}));
+  const auto message = [&](const std::string& text, int first, int second) {
+    return messageOf(glb(text, binary(first, second)));
+  };
+  const std::string astray = "file: accessors[0]: its sparse indices do not rise, or lead nowhere";
+  EXPECT_EQ(message(json(view, "2"), 1, 4), astray);
+  EXPECT_EQ(message(json(view, "2"), 3, 1), astray);
+  EXPECT_EQ(message(json(view, "2"), 2, 2), astray);
+  EXPECT_EQ(message(json(view, "5"), 1, 3), "file: accessors[0]: replaces more values than it has");
+  EXPECT_EQ(message(json(view, "4294967295"), 1, 3),
+            "file: accessors[0]: reaches beyond its buffer");
+  EXPECT_EQ(message(json(view, "3"), 1, 2), "file: accessors[0]: reaches beyond its buffer");
+  EXPECT_EQ(message(json(view, "2", "5123", "4"), 1, 3),
+            "file: accessors[0]: reaches beyond its buffer");
+  EXPECT_EQ(message(json(view, "2", "5126"), 1, 3),
+            "file: accessors[0]: has sparse indices that are not whole numbers");
+  // The indices of a mesh: of 0 1 2 3 0 2 the second and the fifth are replaced by 3 and 1.
+  const std::string indices =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":68}],"bufferViews":[)"
+      R"({"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12},)"
+      R"({"buffer":0,"byteOffset":60,"byteLength":2},{"buffer":0,"byteOffset":64,"byteLength":4}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+      R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR","sparse":{"count":2,)"
+      R"("indices":{"bufferView":2,"componentType":5121},"values":{"bufferView":3}}}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}]})";
+  const std::string tail("\x01\x04\0\0\x03\0\x01\0", 8);
+  EXPECT_EQ(readGltf(glb(indices, squareBytes() + tail), "", "").corners,
+            (Corners{0, 3, 2, 3, 1, 2}));
+}
+
+TEST(Gltf, BytesAfterAGlb) {
+  const std::string bytes = glb("{" + kData + meshWith(kTriangles) + kBuffer + "}", squareBytes());
+  EXPECT_EQ(readGltf(bytes + "trailing junk", "", "").notes,
+            std::vector<std::string>{"13 bytes after the GLB passed over"});
 }
 
 TEST(Gltf, WhatIsWrongIsSaid) {

@@ -149,7 +149,7 @@ TEST(HostilePly, HeadersThatLie) {
        {ply("element vertex 1\n" +
                 repeated(20'000,
                          [](std::size_t i) { return "property int p" + std::to_string(i) + "\n"; }),
-            "0\n"),
+            repeated(20'000, [](std::size_t) { return "0 "; })),
         "no x"}});
 }
 
@@ -262,7 +262,9 @@ TEST(HostileOff, CountsAndLines) {
             {{"OFF\n3 1 0\n" + data, "1"},
              {"OFF # c\n\n# c\n3 1 # c\n" + data, "1"},
              {"OFF\r3 1 0\r0 0 0\r1 0 0\r0 1 0\r3 0 1 2", "1"},
-             {"OFF BINARY\n" + std::string(100, '\0'), "binary OFF files cannot be read"},
+             {"OFF BINARY\n" + std::string(100, '\0'), "the file has no faces"},
+             {"OFF BINARY\n" + std::string(100, '\xff'), "a count is negative"},
+             {"OFF BINARY\n" + std::string(100, '\x7f'), "more than the file can hold"},
              {"OFF\n3.0 1 0\n" + data, "number of vertices is not a whole number"},
              {"OFF\n99999999999999999999 1 0\n" + data, "reasonable size"},
              {"OFF\n9223372036854775807 9223372036854775807 0\n" + data, "more than the file"},
@@ -272,7 +274,9 @@ TEST(HostileOff, CountsAndLines) {
              {"OFF\n3 0 0\n" + kThree, "the file has no faces"},
              {"OFF\n0 0 0\n", "the file has no faces"},
              {"OFF", "the file ends before the counts"},
-             {"nOFF\n3\n3 1 0\n" + data, "other than three dimensions"},
+             {"nOFF\n3\n3 1 0\n" + data, "1"},
+             {"nOFF\n9223372036854775807\n3 1 0\n" + data, "9223372036854775807 dimensions"},
+             {"4OFF\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1e300 0 1e-300\n3 0 1 2\n", "at infinity"},
              {"STCNOFF\n3 1 0\n" + data, "1"},
              {std::string("OFF\n3 1 0\n0 0 0\0", 16) + data, "z of a vertex is not a number"}});
 }
@@ -308,7 +312,13 @@ TEST(HostileGltf, NumbersThatLie) {
             .text(),
         "is not finite"},
        {Gltf{.nodes = R"([{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0]}])"}.text(),
-        "wrong number of values"},
+        "'matrix' is no list of 16 numbers"},
+       {Gltf{.nodes = R"([{"mesh":0,"translation":["1","2","3"]}])"}.text(),
+        "nodes[0]: 'translation' is no list of 3 numbers"},
+       {Gltf{.nodes = R"([{"mesh":0,"children":"1"}])"}.text(), "nodes[0]: 'children' is no list"},
+       {Gltf{.nodes = R"([{"mesh":0,"children":[1.5]}])"}.text(), "no index: '1.5'"},
+       {Gltf{.nodes = R"([{"mesh":[0]}])"}.text(), "nodes[0]: 'mesh' is no index"},
+       {Gltf{.more = R"(,"scene":[0],"scenes":[{"nodes":[0]}])"}.text(), "scene: is no index"},
        {Gltf{.nodes = R"([{"mesh":0,"rotation":[0,0,0,0]}])"}.text(), "a rotation is zero"},
        {Gltf{.nodes = R"([{"mesh":0,"scale":[0,0,0]}])"}.text(), "all faces lie at one point"},
        {Gltf{.nodes = R"([{"mesh":7}])"}.text(), "meshes[7]: does not exist"},
@@ -326,7 +336,11 @@ TEST(HostileGltf, NumbersThatLie) {
                  R"([{"componentType":5126,"type":"VEC3","count":3,"sparse":{"count":1,)"
                  R"("indices":{"bufferView":0,"componentType":5125},"values":{"bufferView":0}}}])"}
             .text(),
-        "sparse"},
+        "all faces lie at one point"},
+       {Gltf{.accessors = R"([{"componentType":5126,"type":"VEC3","count":3}])"}.text(),
+        "all faces lie at one point"},
+       {Gltf{.accessors = R"([{"componentType":5126,"type":"VEC3","count":4294967295}])"}.text(),
+        "too many times over"},
        {Gltf{.views = R"([{"buffer":0,"byteLength":36,"byteStride":-12}])"}.text(),
         "'byteStride' is not a whole number"},
        {Gltf{.views = R"([{"buffer":0.0,"byteLength":36.0}])"}.text(), "1"},
@@ -359,6 +373,8 @@ TEST(HostileGltf, ShapesOfTheTree) {
       {{Gltf{.nodes = R"([{"mesh":0,"children":[0]}])", .more = R"(,"scenes":[{"nodes":[0]}])"}
             .text(),
         "has two parents"},
+       {Gltf{.nodes = R"([{"mesh":0,"children":[1]},{"children":[0]}])"}.text(),
+        "nodes: each is the child of another"},
        {Gltf{.nodes = R"([{"mesh":0,"children":[9]}])"}.text(), "nodes[9]: does not exist"},
        {Gltf{.nodes = R"({"mesh":0})"}.text(), "'nodes' is no list"},
        {Gltf{.accessors = "[null]"}.text(), "accessors[0]: is no object"},
@@ -367,9 +383,25 @@ TEST(HostileGltf, ShapesOfTheTree) {
         "file: "},
        {Gltf{.meshes = R"([{"primitives":[{"attributes":{"POSITION":"0"}}]}])"}.text(), "file: "},
        {Gltf{.more = R"(,"scene":3,"scenes":[{"nodes":[0]}])"}.text(), "scene: does not exist"},
-       {"{}", "file: "},
+       {"{}", "is no glTF: it has no asset.version"},
+       {R"({"asset":{"version":"1.0"}})", "glTF version '1.0' instead of 2.0"},
+       {R"({"asset":{"version":2}})", "it has no asset.version"},
        {"{\"asset\":\"\xff\"}", "malformed"},
        {"", "malformed"}});
+}
+
+long peakMegabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024;
+}
+
+TEST(HostileGltf, ManyNodesOfFewBytes) {
+  std::string nodes = R"([{"mesh":0})" + repeated(500'000, [](std::size_t) { return ",{}"; });
+  EXPECT_EQ(outcome(kGltf, Gltf{.nodes = nodes + "]"}.text()), "1");
+  if (!kSanitized) {
+    EXPECT_LT(peakMegabytes(), 200);
+  }
 }
 
 // A few kilobytes that unfold to many times as much.
@@ -393,11 +425,16 @@ TEST(HostileGltf, ManyMeshesOfFewBytes) {
            .buffers = data}
           .text();
   EXPECT_EQ(outcome(kGltf, bytes), "file: shows its meshes too many times over");
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   if (!kSanitized) {
-    EXPECT_LT(usage.ru_maxrss / 1024, 200);
+    EXPECT_LT(peakMegabytes(), 200);
   }
+}
+
+// The memory of a text file's vertices is not taken on trust.
+TEST(HostilePly, CountsThatTheFileCouldNotHoldInDigits) {
+  const std::string header = "element vertex 3000000\n" + kXyz + "element face 1\n" + kList;
+  EXPECT_NE(outcome(kPly, ply(header, std::string(9'000'000, ' '))).find("file can hold"),
+            std::string::npos);
 }
 
 }  // namespace

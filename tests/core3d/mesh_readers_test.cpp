@@ -3,6 +3,7 @@
 // for every way to break it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <fstream>
@@ -112,6 +113,24 @@ TEST(Ply, TriangleStripsTurnEverySecondTriangle) {
   EXPECT_EQ(soup.corners, (Corners{0, 1, 2, 2, 1, 3, 3, 2, 1}));
 }
 
+TEST(Ply, HeadersAsOtherProgramsWriteThem) {
+  // Blanks after the first word; an element of faces that is there for form's sake alone.
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string file = "ply \t\nformat ascii 1.0\n" + kPlyVertices +
+                       "element face 0\nproperty int flags\nelement tristrips 1\n"
+                       "property list int int vertex_indices\nend_header\n" +
+                       kFourPoints + "4 0 1 2 3\n";
+    for (std::size_t at = 0; (at = file.find('\n', at)) != std::string::npos; at += end.size()) {
+      file.replace(at, 1, end);
+    }
+    EXPECT_EQ(readPly(file, "").corners, (Corners{0, 1, 2, 2, 1, 3}));
+  }
+  EXPECT_EQ(messageOf(readPly, "ply x\n"),
+            "file: line 1: not a PLY file: it does not begin with the line 'ply'");
+  EXPECT_EQ(messageOf(readPly, "ply "),
+            "file: line 1: not a PLY file: it does not begin with the line 'ply'");
+}
+
 TEST(Ply, WhatIsWrongIsSaidWithItsPlace) {
   const std::string start = "ply\nformat ascii 1.0\n", data = "end_header\n" + kFourPoints;
   const auto ascii = [&](const std::string& faces) {
@@ -184,6 +203,22 @@ TEST(Stl, AsciiInAnyCaseAndLayout) {
   EXPECT_EQ(soup.positions[3], 1.0);
 }
 
+TEST(Stl, AsciiAsOtherProgramsWriteIt) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\n";
+  std::string oneLine = facet + facet;
+  std::replace(oneLine.begin(), oneLine.end(), '\n', ' ');
+  for (const std::string& file :
+       {facet + facet, "solidpart\n" + facet + facet, "solid facet\n" + oneLine + "endsolid",
+        "solid\n" + oneLine + "\nendsolid\nsolid\nendsolid"}) {
+    SCOPED_TRACE(file);
+    EXPECT_EQ(readStl(file, "").corners, (Corners{0, 1, 2, 3, 4, 5}));
+  }
+  EXPECT_EQ(messageOf(readStl, "solid\n" + facet + "solidpart\n"),
+            "file: line 9: 'facet' expected, there is 'solidpart'");
+}
+
 TEST(Stl, BinaryWhateverItsHeaderSays) {
   std::string file = "solid" + std::string(75, ' ') + packed(std::uint32_t{1}, std::endian::little);
   for (const float value : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.f}) {
@@ -214,7 +249,7 @@ TEST(Off, AllKinds) {
   const std::string faces = "3 0 1 2\n4 0 1 2 3 0.5 0.5 0.5\n";
   for (const std::string& file :
        {"OFF\n4 2 0\n" + kFourPoints + faces, "\n# c\nOFF 4 2\n" + kFourPoints + faces,
-        "4 2 0\n" + kFourPoints + faces,
+        "4 2 0\n" + kFourPoints + faces, "off\n4 2 0\n" + kFourPoints + faces,
         std::string("\xEF\xBB\xBF") + "OFF\r\n4 2 0\r\n" + kFourPoints + faces,
         "CNOFF\n4 2 0\n0 0 0 0 0 1 9 9 9 9\n1 0 0 0 0 1 9 9 9 9\n1 1 0 0 0 1 9 9 9 9\n"
         "0 1 0.5 0 0 1 9 9 9 9\n" +
@@ -224,6 +259,82 @@ TEST(Off, AllKinds) {
     EXPECT_EQ(soup.corners, expected);
     EXPECT_EQ(soup.positions[11], 0.5);
   }
+}
+
+const std::vector<double> kFour = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5};
+
+TEST(Off, LinesMayBreakAnywhere) {
+  const std::vector<double>& four = kFour;
+  for (const std::string& file :
+       {std::string(
+            "OFF 4 2 0\n0 0 0 1 0 0\n1 1\n0 0 1 0.5\n3 0 1 2\n4 0 1\n2 # c\n3 0.5 0.5 0.5\n"),
+        "OFF\n4\n2\n0\n" + kFourPoints + "3 0 1 2\n4\n0 1 2 3",
+        std::string("NCOFF\n4 2 0\n0 0 0 0 0 1 9 9 9 9 1 0 0 0 0 1 9 9 9 9 "
+                    "1 1 0 0 0 1\n9 9 9 9\n0 1 0.5 0 0 1 9 9 9 9\n3 0 1 2\n4 0 1 2 3")}) {
+    SCOPED_TRACE(file);
+    const PolygonSoup soup = readOff(file, "");
+    EXPECT_EQ(soup.positions, four);
+    EXPECT_EQ(soup.corners, (Corners{0, 1, 2, 0, 1, 2, 3}));
+  }
+  // One value less, and the first face could give it: no mesh is better than another one.
+  EXPECT_EQ(messageOf(readOff, "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1\n4 3 2 1 0\n3 0 1 2\n"),
+            "file: line 6: z of a vertex is missing");
+  EXPECT_EQ(messageOf(readOff, "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1\n4 3 2 1 0\n3 0 1 2\n"),
+            "file: line 7: the file ends after 0 of 2 faces");
+}
+
+TEST(Off, PointsWithAFourthCoordinateAndOfStatedDimension) {
+  const std::string faces = "3 0 1 2\n4 0 1 2 3\n";
+  for (const std::string& file :
+       {"4OFF\n4 2 0\n0 0 0 1\n2 0 0 2\n-1 -1 0 -1\n0 4 2 4\n" + faces,
+        "nOFF 3\n4 2 0\n" + kFourPoints + faces, "nOFF\n3\n4 2\n" + kFourPoints + faces}) {
+    SCOPED_TRACE(file);
+    const PolygonSoup soup = readOff(file, "");
+    EXPECT_EQ(soup.positions, kFour);
+    EXPECT_EQ(soup.corners, (Corners{0, 1, 2, 0, 1, 2, 3}));
+  }
+}
+
+TEST(Off, BinaryOfEveryKind) {
+  const auto integers = [](std::initializer_list<std::int32_t> values) {
+    std::string bytes;
+    for (const std::int32_t value : values) bytes += packed(value, std::endian::big);
+    return bytes;
+  };
+  const auto file = [&](const std::string& head, std::size_t more, const std::string& dimension) {
+    std::string bytes = head + " BINARY # c\r\n" + dimension + integers({4, 2, 0});
+    for (std::size_t i = 0; i < kFour.size(); ++i) {
+      bytes += packed(static_cast<float>(kFour[i]), std::endian::big);
+      for (std::size_t k = 0; i % 3 == 2 && k < more; ++k) bytes += packed(1.0f, std::endian::big);
+    }
+    return bytes + integers({3, 0, 1, 2, 1, 77, 4, 0, 1, 2, 3, 0});
+  };
+  for (const auto& [head, more] : std::vector<std::pair<std::string, std::size_t>>{
+           {"OFF", 0}, {"NOFF", 3}, {"COFF", 4}, {"STOFF", 2}, {"4OFF", 1}, {"STCN4OFF", 10}}) {
+    SCOPED_TRACE(head);
+    const std::string bytes = file(head, more, "");
+    const PolygonSoup soup = readOff(bytes, "");
+    EXPECT_EQ(soup.positions, kFour);
+    EXPECT_EQ(soup.corners, (Corners{0, 1, 2, 0, 1, 2, 3}));
+    EXPECT_TRUE(soup.notes.empty());
+    for (std::size_t left = 0; left < bytes.size(); ++left) {
+      EXPECT_THROW(readOff(bytes.substr(0, left), ""), InputError) << left;
+    }
+  }
+  EXPECT_EQ(readOff(file("nOFF", 0, integers({3})), "").positions, kFour);
+  EXPECT_EQ(messageOf(readOff, file("nOFF", 0, integers({5}))),
+            "file: byte 21: has points of 5 dimensions instead of 3");
+  EXPECT_EQ(readOff(file("OFF", 0, "") + "xy", "").notes,
+            std::vector<std::string>{"2 bytes after the last face passed over"});
+  EXPECT_EQ(messageOf(readOff, "OFF BINARY\n" + integers({0x7fffffff, 1, 0}) + "1234"),
+            "file: byte 23: the counts, 2147483647 vertices and 1 faces, are more than the file "
+            "can hold");
+  EXPECT_EQ(messageOf(readOff, "OFF BINARY\n" + integers({1, 1, 0, 0, 0, 0, 3, 0, 0, 1, 0})),
+            "file: byte 51: a face uses vertex 1, but they are 0 to 0");
+  EXPECT_EQ(messageOf(readOff, "OFF BINARY\n" + integers({1, 1, 0, 0, 0, 0, 3, 0, 0, 0, 5})),
+            "file: byte 55: a face has 5 values of colour");
+  EXPECT_EQ(messageOf(readOff, "OFF BINARY\n" + integers({1, 1, 0, 0, 0, 0x7f800000, 0, 0})),
+            "file: byte 35: a coordinate of a vertex is not finite");
 }
 
 TEST(Off, WhatIsWrongIsSaidWithItsLine) {
@@ -236,8 +347,9 @@ TEST(Off, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_EQ(
       off("OFF\n99999999 1 0\n" + kFourPoints),
       "file: line 2: the counts, 99999999 vertices and 1 faces, are more than the file can hold");
-  EXPECT_EQ(off("4OFF\n1 1 0\n"), "file: line 1: '4OFF' has points of other than three dimensions");
-  EXPECT_EQ(off("OFF BINARY\n"), "file: line 1: binary OFF files cannot be read; save it as text");
+  EXPECT_EQ(off("nOFF\n4\n1 1 0\n"), "file: line 2: has points of 4 dimensions instead of 3");
+  EXPECT_EQ(off("4OFF\n1 1 0\n1 1 1 0\n3 0 0 0"), "file: line 3: a vertex lies at infinity");
+  EXPECT_EQ(off("COCOFF\n1 1 0\n"), "file: line 1: unknown kind of OFF file: 'COCOFF'");
   EXPECT_EQ(off("OFF\n-4 1 0\n"), "file: line 2: a count is negative");
   EXPECT_EQ(off("OFF\n4 1 0\n" + kFourPoints + "2 0 1\n"), "file: line 7: the file has no faces");
 }

@@ -13,10 +13,11 @@ namespace {
 
 using namespace flatland::ui;
 
-/// One line on standard error, whatever the message holds.
+/// One line on standard error, whatever the message holds; names of files may hold what terminals
+/// act on.
 int report(std::string message, ExitCode code) {
   std::replace_if(
-      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+      message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == '\x7f'; }, ' ');
   std::fprintf(stderr, "flatland: %s\n", message.c_str());
   return code;
 }
