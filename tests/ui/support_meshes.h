@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QString>
+#include <QTest>
 
 namespace flatland::ui {
 
@@ -15,3 +16,10 @@ inline QString dataMesh(const char* name) {
 }
 
 }  // namespace flatland::ui
+
+/// For test functions: the file of an example mesh as a QString `file`. Without the data the test
+/// is skipped at home, but not where everything must be there.
+#define NEEDS_DATA_MESH(file, name)                                                               \
+  const QString file = flatland::ui::dataMesh(name);                                              \
+  if (qgetenv("CI") == "true") QVERIFY2(!file.isEmpty(), "no example meshes; set FLATLAND_DATA"); \
+  if (file.isEmpty()) QSKIP("no example meshes")

@@ -50,10 +50,7 @@ class SurfaceTest : public QObject {
   void cleanup() { driver_.reset(); }
 
   void aMeshComesByTheOpenDialog() {
-    const QString mesh = dataMesh("spot_quads.obj");
-    // Skipped at home, but not where everything must be there.
-    if (qgetenv("CI") == "true") QVERIFY2(!mesh.isEmpty(), "no example meshes; set FLATLAND_DATA");
-    if (mesh.isEmpty()) QSKIP("no example meshes");
+    NEEDS_DATA_MESH(mesh, "spot_quads.obj");
     WindowDriver& d = *driver_;
     const Scene before = d.scene();
     typeFileName(mesh);
