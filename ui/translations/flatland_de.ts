@@ -2346,18 +2346,6 @@
         <translation>Schwellen × %1</translation>
     </message>
     <message>
-        <source>In both, within a mean edge</source>
-        <translation>In beiden, bis auf eine mittlere Kante</translation>
-    </message>
-    <message>
-        <source>Only here: %1 % of these</source>
-        <translation>Nur hier: %1 % von diesen</translation>
-    </message>
-    <message>
-        <source>Missing: %1 % of the first</source>
-        <translation>Fehlt: %1 % der ersten</translation>
-    </message>
-    <message>
         <source>Ink %1 % of %2 %</source>
         <translation>Tinte %1 % von %2 %</translation>
     </message>
@@ -2478,6 +2466,29 @@
     <message>
         <source>Triangle</source>
         <translation>Dreieck</translation>
+    </message>
+</context>
+<context>
+    <name>PictureLegend</name>
+    <message>
+        <source>In both, within a mean edge</source>
+        <translation>In beiden, bis auf eine mittlere Kante</translation>
+    </message>
+    <message>
+        <source>Only here: %1 % of these</source>
+        <translation>Nur hier: %1 % von diesen</translation>
+    </message>
+    <message>
+        <source>Missing: %1 % of the first</source>
+        <translation>Fehlt: %1 % der ersten</translation>
+    </message>
+    <message>
+        <source>linear to ±%1, then logarithmic</source>
+        <translation>linear bis ±%1, dann logarithmisch</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>logarithmisch</translation>
     </message>
 </context>
 <context>
@@ -5595,14 +5606,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>|offset| / |feature| %1</source>
         <translation>|Versatz| / |Merkmal| %1</translation>
-    </message>
-    <message>
-        <source>linear to ±%1, then logarithmic</source>
-        <translation>linear bis ±%1, dann logarithmisch</translation>
-    </message>
-    <message>
-        <source>logarithmic</source>
-        <translation>logarithmisch</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 #include "ui/model/theme.h"
 #include "ui/panels/mark_painting.h"
 #include "ui/view3d/mark_lines.h"
+#include "ui/view3d/picture_legend.h"
 
 namespace flatland::ui {
 
@@ -24,7 +25,6 @@ struct BridgeMarksWords {
 constexpr double kTickPx = 16.0;   ///< long
 constexpr double kSymbolPx = 8.0;  ///< from the end of a tick to the middle of its symbol
 constexpr int kKeyPx = 34;         ///< of the legend
-constexpr double kBehindText = 0.72;
 
 void paintLegend(QPainter& painter, const QPoint& corner, double scale) {
   const Palette palette = themePalette();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QRect>
 #include <QStringList>
 
 #include "core3d/draw/camera.h"
-#include "ui/view3d/surface_picture.h"
+#include "ui/view3d/surface_models.h"
 
 class QPainter;
 
@@ -19,15 +18,6 @@ QString seenByWords(const std::optional<SurfaceSetting>& setting);
 
 /// The factor on the thresholds and the ink that they give; empty if no ink is asked for.
 QStringList inkLines(const SurfaceModels& models);
-
-/// The colours of a difference with their shares, and how near counts as the same; empty if the
-/// view shows none, or it is not known yet.
-QStringList differenceLines(const SurfacePicture& picture);
-
-/// The bar of a colour map, or the colours of a difference, as a legend with its lower right corner
-/// at that of `bounds`. Text in the painter's pen on its background. How much of the bottom it
-/// takes, px; 0 if there is none. In any thread.
-int paintLegend(QPainter& painter, const QRect& bounds, const SurfacePicture& picture);
 
 /// Where the first view is looked at from, in a view with a camera of its own: an eye, and an arrow
 /// along its line of sight, paler where the surface is in front. Nothing in other views.

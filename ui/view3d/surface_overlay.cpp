@@ -11,6 +11,7 @@
 #include "ui/view3d/bridge_marks.h"
 #include "ui/view3d/pane_marks.h"
 #include "ui/view3d/pick_marks.h"
+#include "ui/view3d/picture_legend.h"
 #include "ui/view3d/plane_marks.h"
 #include "ui/view3d/surface_picture.h"
 
@@ -19,7 +20,6 @@ namespace flatland::ui {
 namespace {
 
 constexpr int kMargin = 10;
-constexpr double kBehindText = 0.72;    ///< opacity of the ground below words
 constexpr double kNarrowWidth = 420.0;  ///< that does not hold reading and legend side by side
 
 QString number(double value) { return QLocale().toString(value, 'g', 4); }

@@ -12,8 +12,8 @@
 #include "ui/model/orbit.h"
 #include "ui/model/theme.h"
 #include "ui/view3d/mark_groups.h"
-#include "ui/view3d/pane_marks.h"
 #include "ui/view3d/pane_menu.h"
+#include "ui/view3d/picture_legend.h"
 
 namespace flatland::ui {
 
