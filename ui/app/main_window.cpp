@@ -94,8 +94,8 @@ MainWindow::MainWindow(Scene scene, const QString& originName, QSettings* settin
     display_.restore(*settings_);
     layouts_->restore(*settings_);
   }
-  // The layout kept may be that of a surface which is not there any more.
   showCentre();
+  // The layout kept may be that of a surface which is not there any more.
   if (document_.scene().surface) {
     layouts_->use(Layouts::Kind::Surface);
     shareCentre();

@@ -12,8 +12,7 @@ std::shared_ptr<const BridgeView> bridgeOf(const std::shared_ptr<const SeenSurfa
   BridgeView view{seen, std::move(prediction), {}, {}};
   if (!view.prediction.flat().view) return std::make_shared<const BridgeView>(std::move(view));
   const double size = surface.fields->size * surface.mesh->unit;
-  view.row =
-      compareLines(view.prediction, origin.mesh, *surface.mesh, size, *linesToCompare(*seen));
+  view.row = compareLines(view.prediction, origin.mesh, *surface.mesh, size, *seen->compared.get());
   view.row.cells = origin.cells;
   const BridgeScale scale{view.row.edge, size};
   for (const PredictedLine& line : view.prediction.lines()) {

@@ -77,7 +77,7 @@ void addMarks(SectionView& view) {
     return;
   }
   view.marks = compareSection(view.section, *surface.mesh, *surface.fields, from,
-                              linesToCompare(*view.seen)->of(LineFamily::ApparentRidges));
+                              view.seen->compared.get()->of(LineFamily::ApparentRidges));
   for (const SectionMark& mark : view.marks.marks) {
     view.seenMarks.push_back(isSeen(*surface.mesh, from, mark.at));
   }

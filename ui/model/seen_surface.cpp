@@ -64,12 +64,9 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
     auto seen = std::make_shared<SeenSurface>();
     seen->surface = surface;
     seen->view = view;
-    seen->find = [self = shared_from_this(), view](const LineOptions& options) {
-      return self->find(view, options);
-    };
-    seen->asked = lineOptionsOf(pane);
+    const LineOptions options = lineOptionsOf(pane);
     const auto start = Clock::now();
-    auto found = std::make_shared<const FeatureLines>(finder->find(view, seen->asked));
+    auto found = std::make_shared<const FeatureLines>(finder->find(view, options));
     seen->lineMs = millisecondsSince(start);
     if (wanted.first) {
       seen->difference = compared(*found, finder->find(view, lineOptionsOf(*wanted.first)));
@@ -77,6 +74,10 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
     for (const LineFamily family : allLineFamilies()) {
       seen->lines[static_cast<std::size_t>(family)] = verticesOf(found->of(family));
     }
+    seen->compared =
+        std::async(std::launch::deferred, [self = shared_from_this(), view, options, found] {
+          return self->linesToCompare(view, options, found);
+        }).share();
     seen->found = std::move(found);
     if (styleOf(pane.surface) == SurfaceStyle::Colours) {
       const auto colouring = Clock::now();
@@ -87,9 +88,20 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
     return seen;
   }
 
-  FeatureLines find(const SurfaceView& view, const LineOptions& options) {
+  /// `found` where that is what was asked for, with `asked`.
+  std::shared_ptr<const FeatureLines> linesToCompare(
+      const SurfaceView& view, const LineOptions& asked,
+      const std::shared_ptr<const FeatureLines>& found) {
+    using enum LineFamily;
+    const bool shown = asked[OccludingContours] && asked[ApparentRidges] &&
+                       asked.thresholdOf(ApparentRidges) == 0.0 && !asked.unfiltered;
+    if (shown) return found;
+    LineOptions wanted;
+    wanted[OccludingContours] = wanted[ApparentRidges] = true;
+    wanted.threshold[static_cast<std::size_t>(ApparentRidges)] = 0.0;
+    wanted.derivative = asked.derivative;
     const std::lock_guard lock(turn);
-    return finder->find(view, options);
+    return std::make_shared<const FeatureLines>(finder->find(view, wanted));
   }
 
   SeenDifference compared(const FeatureLines& lines, const FeatureLines& first) {
@@ -111,17 +123,6 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
   std::optional<LineFinder> finder;  ///< made by the first search
   std::optional<double> tolerance;   ///< likewise
 };
-
-std::shared_ptr<const FeatureLines> linesToCompare(const SeenSurface& seen) {
-  using enum LineFamily;
-  LineOptions wanted;
-  wanted[OccludingContours] = wanted[ApparentRidges] = true;
-  wanted.threshold[static_cast<std::size_t>(ApparentRidges)] = 0.0;
-  wanted.derivative = seen.asked.derivative;
-  const bool shown = seen.asked[OccludingContours] && seen.asked[ApparentRidges] &&
-                     seen.asked.thresholdOf(ApparentRidges) == 0.0 && !seen.asked.unfiltered;
-  return shown ? seen.found : std::make_shared<const FeatureLines>(seen.find(wanted));
-}
 
 SeenSource::SeenSource(const Document& document, const SurfaceSource& source, std::size_t pane,
                        const SeenSource* first, const InkSource* ink, QObject* parent)
@@ -210,11 +211,7 @@ PaneSetting SeenSource::wantedOf(std::size_t pane) const {
 void SeenSource::begin() {
   if (!isReady()) return;  // the fields of another surface are on their way
   asked_ = wanted();
-  // The view depends on where the viewer stands, not on the size of the picture.
-  constexpr double kAnySize = 100.0;
-  const SurfaceView view =
-      orbitProjection(asked_->pane.surface.camera, worker_->surface->ballRadius, kAnySize, kAnySize)
-          .view();
+  const SurfaceView view = orbitView(asked_->pane.surface.camera, worker_->surface->ballRadius);
   using Data = std::shared_ptr<const SeenSurface>;
   job_.start<Data>(
       [worker = worker_, wanted = *asked_, view](const JobControl&) -> std::optional<Data> {

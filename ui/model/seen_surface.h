@@ -3,7 +3,7 @@
 
 #include <QObject>
 #include <array>
-#include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -38,7 +38,6 @@ struct SeenDifference {
 struct SeenSurface {
   std::shared_ptr<const LoadedSurface> surface;
   SurfaceView view;
-  LineOptions asked;                          ///< what was looked for
   std::shared_ptr<const FeatureLines> found;  ///< what `lines` are made from
   std::array<std::vector<LineVertex>, kLineFamilyCount> lines;
   std::optional<SeenDifference> difference;  ///< if the view shows that
@@ -46,15 +45,11 @@ struct SeenSurface {
   double lineMs = 0.0;                       ///< looking for the lines
   double colourMs = 0.0;
 
-  /// Looks for other lines from the same place. From any thread; takes turns with the view's own
-  /// searches.
-  std::function<FeatureLines(const LineOptions&)> find;
+  /// Contours and all apparent ridges, however weak and whatever the look shows: what flatland's
+  /// marks, which know no threshold, are compared with. Looked for once, by who first asks for
+  /// them, in any thread; at once there if the look shows just these.
+  std::shared_future<std::shared_ptr<const FeatureLines>> compared;
 };
-
-/// The contours and all apparent ridges, however weak, of a view, whatever its look shows: what
-/// flatland's marks, which know no threshold, are compared with. Costs a search unless the view
-/// shows just that.
-std::shared_ptr<const FeatureLines> linesToCompare(const SeenSurface& seen);
 
 /// The lines of one view of the document's surface as its camera sees it, found beside the window's
 /// thread. A change starts the search; while one is under way only the newest wish is kept, so

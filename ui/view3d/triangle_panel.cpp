@@ -46,15 +46,14 @@ QString filteredVerdict(const TriangleLesson& lesson) {
       sentence = TrianglePanel::tr("A maximum: all directions point towards the line");
       break;
   }
-  const bool drawn = lesson.unfiltered ? lesson.verdict == RidgeVerdict::Kept : lesson.drawn;
   if (lesson.followsNeighbour()) {
     return lesson.drawn ? TrianglePanel::tr("%1. Drawn, as the triangle before it on the line.")
                               .arg(sentence)
                         : TrianglePanel::tr("%1. Dropped, as the triangle before it on the line.")
                               .arg(sentence);
   }
-  return drawn ? TrianglePanel::tr("%1. Kept.").arg(sentence)
-               : TrianglePanel::tr("%1. Dropped.").arg(sentence);
+  return lesson.verdict == RidgeVerdict::Kept ? TrianglePanel::tr("%1. Kept.").arg(sentence)
+                                              : TrianglePanel::tr("%1. Dropped.").arg(sentence);
 }
 
 }  // namespace
