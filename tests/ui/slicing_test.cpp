@@ -128,6 +128,35 @@ class SlicingTest : public QObject, private BridgingWindow {
     QVERIFY(!section().view());
   }
 
+  void redoneASectionIsSeenAsTheSurfaceIsNow() {
+    WindowDriver& d = *driver_;
+    const View mine = d.scene().view;
+    openSectionOfTorus();
+    const CutPlane plane = section().view()->section.plane;
+    const Scene opened = d.scene();
+    d.trigger("edit.undo");
+    QVERIFY(quiet());
+    // The curves are no section now, so that nothing follows the camera.
+    dragSurface({30, 200}, {70, 210});
+    QVERIFY(quiet());
+    const SurfaceCamera turned = camera();
+    QVERIFY(turned.towards.dot(opened.surface->camera.towards) < 0.999);
+    QVERIFY(d.scene().view == mine);
+    QSignalSpy changes(&d.document(), &Document::changed);
+    d.trigger("edit.redo");
+    QCOMPARE(changes.count(), 1);
+    QVERIFY(quiet());
+    QVERIFY(d.scene().curves == opened.curves);
+    QVERIFY(camera() == turned);
+    const Vec2 w(plane.right.dot(turned.towards), plane.up.dot(turned.towards));
+    QVERIFY(sameAngle(std::atan2(w.y(), w.x()) * kDeg, d.scene().view.angleDeg));
+    QVERIFY(d.window().bridges().link.canLink() && d.window().bridges().link.isOn());
+    // The person's own view comes back, whatever the camera did.
+    d.trigger("edit.undo");
+    QVERIFY(d.scene().view == mine);
+    QVERIFY(camera() == turned);
+  }
+
   void aSectionOfAnExtrusionIsTheCurveStretched() {
     extrude();
     WindowDriver& d = *driver_;

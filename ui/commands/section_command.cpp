@@ -2,9 +2,10 @@
 #include "ui/commands/section_command.h"
 
 #include <QCoreApplication>
+#include <QUndoCommand>
 #include <algorithm>
 
-#include "ui/commands/scene_commands.h"
+#include "ui/model/cutting_plane.h"
 #include "ui/model/swept_surface.h"
 
 namespace flatland::ui {
@@ -15,36 +16,46 @@ struct SectionCommandWords {
   Q_DECLARE_TR_FUNCTIONS(SectionCommand)
 };
 
-/// ReplaceScene beside a surface that stays, if it does, and is seen as it is now: looking is no
-/// edit.
-class OpenSection : public ReplaceScene {
+/// The scene as it becomes, beside a surface that stays, if it does, and is seen as it is now:
+/// looking is no edit.
+void keepCameras(Scene& scene, const std::optional<SurfaceSetting>& now) {
+  if (!now || !scene.surface) return;
+  scene.surface->camera = now->camera;
+  auto& panes = scene.surface->panes;
+  for (std::size_t i = 0; i < std::min(panes.size(), now->panes.size()); ++i) {
+    if (panes[i].camera && now->panes[i].camera) panes[i].camera = now->panes[i].camera;
+  }
+}
+
+class OpenSection : public QUndoCommand {
  public:
-  OpenSection(Document& document, Scene scene, const QString& text)
-      : ReplaceScene(document, std::move(scene), text), document_(document) {}
+  OpenSection(Document& document, Scene scene, const CutPlane& plane)
+      : QUndoCommand(SectionCommandWords::tr("open section")),
+        document_(document),
+        scene_(std::move(scene)),
+        plane_(plane) {
+    setObsolete(scene_ == document_.scene());
+  }
 
   void undo() override {
-    keepingCameras([this] { ReplaceScene::undo(); });
+    keepCameras(scene_, document_.scene().surface);
+    document_.swapScene(scene_);
   }
+  /// The section is seen as the surface is, which may have been turned since.
   void redo() override {
-    keepingCameras([this] { ReplaceScene::redo(); });
+    keepCameras(scene_, document_.scene().surface);
+    if (scene_.surface && !scene_.surface->camera.perspectiveDeg) {
+      const PlaneView flat =
+          planeViewOf(plane_, {.towards = scene_.surface->camera.towards, .eye = {}});
+      if (flat.view) scene_.view = *flat.view;
+    }
+    document_.swapScene(scene_);
   }
 
  private:
-  template <class Swap>
-  void keepingCameras(Swap swap) {
-    const std::optional<SurfaceSetting> before = document_.scene().surface;
-    swap();
-    if (!before || !document_.scene().surface) return;
-    document_.setCamera(before->camera);
-    const auto& panes = document_.scene().surface->panes;
-    for (std::size_t i = 0; i < std::min(panes.size(), before->panes.size()); ++i) {
-      if (panes[i].camera && before->panes[i].camera) {
-        document_.setCamera(*before->panes[i].camera, i + 1);
-      }
-    }
-  }
-
   Document& document_;
+  Scene scene_;
+  CutPlane plane_;
 };
 
 }  // namespace
@@ -62,8 +73,7 @@ void openSection(Document& document, const SectionView& section) {
   scene.curves = section.section.scene.curves;
   scene.view = section.section.scene.view;
   if (isSwept(scene)) scene.surface.reset();
-  document.push(std::make_unique<OpenSection>(document, std::move(scene),
-                                              SectionCommandWords::tr("open section")));
+  document.push(std::make_unique<OpenSection>(document, std::move(scene), section.section.plane));
 }
 
 }  // namespace flatland::ui
