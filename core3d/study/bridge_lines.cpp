@@ -42,7 +42,8 @@ constexpr std::array kReasons = {
     "a corner, cusp or jump of curvature is within 4 edges: the surface is not smooth",
     "a border is within 4 edges: curvature is estimated from one side",
     "n.w is below 0.05, or 0 within 4 edges: lambda grows without bound towards the silhouette",
-    "the radius of curvature is below 4 edges: the mesh is too coarse for the bend",
+    "the radius of curvature is below 4 edges, here or within 4 edges: the mesh is too coarse for "
+    "the bend",
     "lambda falls by less than twice what a line must have: a plain with noise on it"};
 
 }  // namespace
@@ -103,8 +104,7 @@ FlatView flatViewOf(const SweptSurface& surface, const SurfaceView& view) {
 
 /// What the limits look at.
 struct BridgePrediction::Place {
-  double facing = 0.0;      // n.w of the surface; 0 at a cusp
-  double flatFacing = 0.0;  // |n.w| in flatland
+  double facing = 0.0;  // n.w of the surface; 0 at a cusp
   double k = 0.0, lambda = 0.0, parallel = 0.0;
   double radius = std::numeric_limits<double>::infinity();  // from the axis
   bool cusp = false;
@@ -118,7 +118,6 @@ BridgePrediction::Place BridgePrediction::placeAt(double t) const {
     return place;
   }
   const Terms terms = termsAt(jet, frame_, 1);
-  place.flatFacing = std::abs(terms.nw);
   place.k = terms.k;
   place.lambda = terms.lambda.value_or(std::numeric_limits<double>::infinity());
   const double side = surface_.turned ? -1.0 : 1.0;
@@ -166,7 +165,19 @@ BridgePrediction::BridgePrediction(const SweptSurface& surface, const SurfaceVie
     }
   }
   const FeatureSet features = findFeatures(Scene{{SceneCurve{curve}}, *flat_.view});
+  for (const Degenerate& piece : features.degenerate) {
+    if (piece.what != Degenerate::What::StraightEndOn) continue;  // silhouettes without a mark
+    silhouettes_.insert(silhouettes_.end(), {arcOf(piece.tLow), arcOf(piece.tHigh)});
+  }
+  for (const Unresolved& part : features.unresolved) {
+    if (part.kind != MarkKind::Silhouette) continue;
+    silhouettes_.insert(silhouettes_.end(), {arcOf(part.tLow), arcOf(part.tHigh)});
+  }
   for (const Mark& mark : features.marks) {
+    if (mark.kind == MarkKind::Silhouette) silhouettes_.push_back(arcOf(mark.t));
+    if (mark.kind == MarkKind::Ridge || mark.kind == MarkKind::Valley) {
+      bends_.push_back({arcOf(mark.t), std::abs(placeAt(mark.t).k)});
+    }
     if (mark.kind == MarkKind::Corner) creases_.push_back(arcOf(mark.t));
     if (mark.kind != MarkKind::ApparentRidge && mark.kind != MarkKind::Silhouette) continue;
     PredictedLine line{mark.kind, mark.t, mark.point, placeAt(mark.t).facing, 0.0, false, {}};
@@ -202,11 +213,14 @@ BridgeLimit BridgePrediction::limitAt(MarkKind kind, double t, const BridgeScale
   if (place.radius <= reach) return BridgeLimit::Pole;
   if (std::any_of(creases_.begin(), creases_.end(), isNear)) return BridgeLimit::Crease;
   if (std::any_of(ends_.begin(), ends_.end(), isNear)) return BridgeLimit::End;
-  // n.w changes by k along the curve, so it is 0 at about this distance.
   const bool silhouette =
-      place.facing < kSmallFacing || place.flatFacing < std::abs(place.k) * reach;
+      place.facing < kSmallFacing || std::any_of(silhouettes_.begin(), silhouettes_.end(), isNear);
   if (ridge && silhouette) return BridgeLimit::SilhouetteNear;
-  if (std::abs(place.k) * kFewestEdgesOfRadius * scale.edge > 1.0) return BridgeLimit::SharpBend;
+  const auto isSharp = [&](double k) { return k * kFewestEdgesOfRadius * scale.edge > 1.0; };
+  const auto bendsNear = [&](const Bend& bend) { return isSharp(bend.k) && isNear(bend.arc); };
+  if (isSharp(std::abs(place.k)) || std::any_of(bends_.begin(), bends_.end(), bendsNear)) {
+    return BridgeLimit::SharpBend;
+  }
   return BridgeLimit::None;
 }
 

@@ -62,7 +62,7 @@ enum class BridgeLimit : std::uint8_t {
   Crease,          ///< a corner, cusp, or joint where curvature jumps, within a few edges
   End,             ///< the border within a few edges: neighbourhoods are one-sided
   SilhouetteNear,  ///< n.w is small, or 0 within a few edges: lambda grows without bound
-  SharpBend,       ///< the radius of curvature is only a few edges
+  SharpBend,       ///< the radius of curvature is only a few edges, or is at a bend within as many
   Slight,          ///< lambda hardly falls on a side of its maximum: a plain with noise on it
 };
 inline constexpr std::size_t kBridgeLimitCount = 9;
@@ -128,8 +128,12 @@ class BridgePrediction {
   FlatView flat_;
   ViewFrame frame_{};
   std::vector<PredictedLine> lines_;
-  std::vector<double> arcs_;            ///< arc length at even steps of t
-  std::vector<double> creases_, ends_;  ///< arc lengths
+  std::vector<double> arcs_;                          ///< arc length at even steps of t
+  std::vector<double> creases_, ends_, silhouettes_;  ///< arc lengths
+  struct Bend {
+    double arc, k;  ///< |k|
+  };
+  std::vector<Bend> bends_;  ///< local maxima of |k|
 };
 
 /// Points in the coordinates of a mesh that was built from the surface.

@@ -66,7 +66,7 @@ TEST(BridgePrediction, RulingsOfExtrusionsAreMaximaOfTheSurface) {
 TEST(BridgePrediction, CirclesOfRevolutionsAreMaximaWhereTheMeridianWins) {
   Random random(announcedSeed("circles", 62));
   int checked = 0, lost = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 300; ++i) {
     const double axis = i % 3 ? 0.2 : -0.6;
     const SweptSurface surface{randomCurve(random, 0.7), SweptSurface::Kind::Revolution, axis};
     const Eigen::Vector3d w(0.0, i % 2 ? 1.0 : -1.0, 0.0);
@@ -129,11 +129,12 @@ TEST(BridgePrediction, NamesWhatCannotHold) {
   const PredictedLine& crest = above.lines()[0];
   EXPECT_NEAR(crest.t, 0.5, 1e-12);
   EXPECT_EQ(above.limitOf(crest, {}), BridgeLimit::None);
-  EXPECT_EQ(above.limitOf(crest, {.edge = 0.2, .size = 0.0}), BridgeLimit::SilhouetteNear);
+  // No silhouette is anywhere, and the radius of curvature is 0.5.
+  EXPECT_EQ(above.limitOf(crest, {.edge = 0.2, .size = 0.0}), BridgeLimit::SharpBend);
   EXPECT_EQ(above.limitOf(crest, {.edge = 0.5, .size = 0.0}), BridgeLimit::End);
-  // On edges of 0.1 the silhouettes are too near from 1.25 times as long ones on.
+  // On edges of 0.1 the bend is too sharp from 1.25 times as long ones on.
   const LimitAhead ahead = above.limitAhead(crest, {.edge = 0.1, .size = 0.0});
-  EXPECT_EQ(ahead.limit, BridgeLimit::SilhouetteNear);
+  EXPECT_EQ(ahead.limit, BridgeLimit::SharpBend);
   EXPECT_GE(ahead.coarser, 1.25);
   EXPECT_LE(ahead.coarser, 1.25 * 1.1);
   EXPECT_EQ(above.limitAhead(crest, {.edge = 0.2, .size = 0.0}).coarser, 1.0);
@@ -160,6 +161,44 @@ TEST(BridgePrediction, RidgesNearASilhouetteAreNotHeld) {
   EXPECT_EQ(side.limitAt(MarkKind::ApparentRidge, 0.495, {}), BridgeLimit::FacesAway);
   EXPECT_EQ(side.limitAt(MarkKind::ApparentRidge, 0.505, {}), BridgeLimit::SilhouetteNear);
   EXPECT_EQ(side.limitAt(MarkKind::ApparentRidge, 0.525, {}), BridgeLimit::None);
+}
+
+TEST(BridgePrediction, WhatIsNearIsKnownFromTheCurveAndNotGuessedFromItsCurvature) {
+  // y = x - 100 x^3 / 3 turns back at x = 0.1 and -0.1, and is straight at 0 where it is looked at.
+  const auto seen = [](const Eigen::Vector3d& w) {
+    return BridgePrediction({BezierChain(3, false,
+                                         {{-0.2, 1.0 / 15.0},
+                                          {-0.2 / 3.0, -1.0 / 3.0},
+                                          {0.2 / 3.0, 1.0 / 3.0},
+                                          {0.2, -1.0 / 15.0}}),
+                             SweptSurface::Kind::Extrusion, 1.0},
+                            {.towards = w, .eye = {}});
+  };
+  const auto limit = [](const BridgePrediction& prediction, double edge) {
+    return prediction.limitAt(MarkKind::ApparentRidge, 0.5, {.edge = edge, .size = 0.0});
+  };
+  // The places are 0.12 away: within four edges of 0.04, not of 0.02.
+  const BridgePrediction side = seen(-Eigen::Vector3d::UnitX());
+  EXPECT_EQ(limit(side, 0.02), BridgeLimit::None);
+  EXPECT_EQ(limit(side, 0.04), BridgeLimit::SilhouetteNear);
+  const BridgePrediction above = seen(Eigen::Vector3d::UnitY());
+  EXPECT_EQ(limit(above, 0.02), BridgeLimit::None);
+  EXPECT_EQ(limit(above, 0.04), BridgeLimit::SharpBend);
+}
+
+TEST(BridgePrediction, SilhouettesWithoutAMarkAreNearToo) {
+  // A straight piece seen end-on, which two others meet with k = 0: all of it is a silhouette.
+  std::vector<Vec2> points = {{-1, 0}};
+  for (int i = 0; i <= 7; ++i) points.emplace_back(0.0, 0.5 * i);
+  points.emplace_back(1, 3.5);
+  const BridgePrediction seen({BezierChain(3, false, points), SweptSurface::Kind::Extrusion, 1.0},
+                              {.towards = Eigen::Vector3d::UnitY(), .eye = {}});
+  const auto limit = [&](double edge) {
+    return seen.limitAt(MarkKind::ApparentRidge, 0.8, {.edge = edge, .size = 0.0});
+  };
+  // 0.3 before it.
+  EXPECT_EQ(limit(0.07), BridgeLimit::None);
+  EXPECT_EQ(limit(0.08), BridgeLimit::SilhouetteNear);
 }
 
 TEST(Bridge, PiecesAreJudgedByTheirPlaceOnTheCurve) {

@@ -327,8 +327,9 @@ namespace {
     QT_TRANSLATE_NOOP("Core",
                       "n.w is below 0.05, or 0 within 4 edges: lambda grows without bound towards "
                       "the silhouette"),
-    QT_TRANSLATE_NOOP(
-        "Core", "the radius of curvature is below 4 edges: the mesh is too coarse for the bend"),
+    QT_TRANSLATE_NOOP("Core",
+                      "the radius of curvature is below 4 edges, here or within 4 edges: the mesh "
+                      "is too coarse for the bend"),
     QT_TRANSLATE_NOOP(
         "Core", "lambda falls by less than twice what a line must have: a plain with noise on it"),
     QT_TRANSLATE_NOOP(

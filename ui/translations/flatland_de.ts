@@ -1429,8 +1429,8 @@
         <translation>n.w ist unter 0,05, oder in weniger als 4 Kanten 0: zur Silhouette hin wächst λ über jede Grenze</translation>
     </message>
     <message>
-        <source>the radius of curvature is below 4 edges: the mesh is too coarse for the bend</source>
-        <translation>der Krümmungsradius ist unter 4 Kanten: das Netz ist zu grob für die Biegung</translation>
+        <source>the radius of curvature is below 4 edges, here or within 4 edges: the mesh is too coarse for the bend</source>
+        <translation>der Krümmungsradius ist unter 4 Kanten, hier oder innerhalb von 4 Kanten: das Netz ist zu grob für die Biegung</translation>
     </message>
     <message>
         <source>lambda falls by less than twice what a line must have: a plain with noise on it</source>
