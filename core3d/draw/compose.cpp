@@ -7,11 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "core3d/draw/bridges.h"
-#include "core3d/draw/chains.h"
 #include "core3d/draw/ink.h"
-#include "core3d/draw/look_at.h"
-#include "core3d/draw/strokes.h"
+#include "core3d/draw/stroke_set.h"
 
 namespace flatland {
 namespace {
@@ -22,12 +19,6 @@ using Eigen::Vector2d;
 constexpr double kLongShare = 0.02;
 // Ink that is closer to what was asked for counts as reached.
 constexpr double kInkTolerance = 0.01;
-
-// Where thresholds fall for ink, the unit of weight falls more slowly, as the mean of the given and
-// the used one: what is fainter has to be longer, or short strokes would come before long ones. It
-// stays at this share of the given threshold at least: ink that no lines are left for is not made
-// up of crumbs.
-constexpr double kLeastUnit = 0.3;
 
 class Clock {
  public:
@@ -42,69 +33,10 @@ class Clock {
 
 std::size_t indexOf(LineFamily family) { return static_cast<std::size_t>(family); }
 
-// Strokes of all chains, for a factor on the thresholds.
-class Strokes {
- public:
-  Strokes(const std::vector<SeenChain>& chains, const LineOptions& lines,
-          const StrokeOptions& options)
-      : chains_(chains), lines_(lines), options_(options) {}
-
-  double threshold(LineFamily family) const {
-    return lines_.unfiltered ? 0.0 : lines_.threshold[indexOf(family)];
-  }
-
-  // See Drawing::weak.
-  double weak(LineFamily family, double factor) const {
-    const double given = lines_.threshold[indexOf(family)];
-    if (!movesWithInk(family)) return given;
-    return given * (factor > 1.0 ? factor : std::max(std::sqrt(factor), kLeastUnit));
-  }
-
-  std::vector<StrokePart> parts(double factor) const {
-    std::vector<StrokePart> all;
-    for (std::size_t i = 0; i < chains_.size(); ++i) {
-      const LineFamily family = chains_[i].line.chain.family;
-      const double given = threshold(family);
-      StrokeFilter filter;
-      filter.threshold = (movesWithInk(family) ? factor : 1.0) * given;
-      if (!lines_.unfiltered) {
-        filter.minLengthPx = options_.minLengthPx;
-        filter.minHolePx = options_.minWeightPx;
-      }
-      if (movesWithInk(family)) {
-        filter.minWeightPx = options_.minWeightPx;
-        filter.unitStrength = lines_.unfiltered ? 0.0 : weak(family, factor);
-      }
-      for (const StrokePart& part : strokeParts(chains_[i], i, filter, options_.hysteresis)) {
-        if (isDrawn(family, part.seen)) all.push_back(part);
-      }
-    }
-    return all;
-  }
-
-  // The family that a part is drawn as.
-  static LineFamily familyOf(LineFamily family, Seen seen) {
-    return seen == Seen::Outline ? LineFamily::ExteriorSilhouette : family;
-  }
-
- private:
-  bool isDrawn(LineFamily family, Seen seen) const {
-    return lines_[familyOf(family, seen)] && (seen != Seen::Hidden || options_.hidden);
-  }
-
-  const std::vector<SeenChain>& chains_;
-  const LineOptions& lines_;
-  const StrokeOptions& options_;
-};
-
 class InkSolver {
  public:
-  InkSolver(const std::vector<SeenChain>& chains, const Strokes& strokes,
-            const Projection& projection, const StrokeOptions& options)
-      : chains_(chains),
-        strokes_(strokes),
-        raster_(projection.width, projection.height),
-        options_(options) {}
+  InkSolver(const StrokeSet& strokes, const Projection& projection, const StrokeOptions& options)
+      : strokes_(strokes), raster_(projection.width, projection.height), options_(options) {}
 
   // The factor whose ink is nearest to `asked`. Ink never grows with the factor, so the interval
   // that holds the answer is halved.
@@ -140,7 +72,7 @@ class InkSolver {
   // threshold. Near silhouettes strengths have no bound, so neither says anything about the other.
   std::pair<double, double> factors() const {
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
-    for (const SeenChain& chain : chains_) {
+    for (const SeenChain& chain : strokes_.chains()) {
       const double threshold = strokes_.threshold(chain.line.chain.family);
       if (!(threshold > 0.0) || !movesWithInk(chain.line.chain.family)) continue;
       for (const float strength : chain.line.judged) {
@@ -158,13 +90,13 @@ class InkSolver {
     raster_.clear();
     for (const StrokePart& part : strokes_.parts(factor)) {
       if (part.seen == Seen::Hidden) continue;
-      raster_.add(screenOf(chains_[part.chain].line, part), part.closed, options_.inkWidthPx);
+      raster_.add(screenOf(strokes_.chains()[part.chain].line, part), part.closed,
+                  options_.inkWidthPx);
     }
     return raster_.share();
   }
 
-  const std::vector<SeenChain>& chains_;
-  const Strokes& strokes_;
+  const StrokeSet& strokes_;
   InkRaster raster_;
   const StrokeOptions& options_;
 };
@@ -204,49 +136,28 @@ Drawing composeNominal(const FeatureLines& found, const Sight& sight, const Proj
   const auto stopped = [&strokes] { return strokes.stop.stop_requested(); };
 
   const Clock chainClock;
-  std::vector<SeenChain> chains;
-  for (const LineFamily family : allLineFamilies()) {
-    // The outline is picked from contours and boundaries, where it is told from what is inside.
-    if (family == LineFamily::ExteriorSilhouette) continue;
-    drawing.stats.segments += found.of(family).size();
-    const bool all = lines.unfiltered || (strokes.ink && movesWithInk(family));
-    const double threshold = all ? 0.0 : lines.threshold[indexOf(family)];
-    std::vector<ScreenChain> chained;
-    for (LineChain& chain : chainSegments(family, found.of(family))) {
-      for (ScreenChain& line : onScreen(std::move(chain), projection)) {
-        chained.push_back(std::move(line));
-      }
-    }
-    if (isBridged(family) && !lines.unfiltered) {
-      chained = bridged(std::move(chained), projection, strokes.largestGapPx);
-    }
-    for (ScreenChain& line : chained) {
-      // What cannot become a stroke need not be looked at.
-      if (strongStretches(line, threshold, strokes.hysteresis).empty()) continue;
-      chains.push_back({std::move(line), {}});
-    }
-    if (stopped()) return drawing;
-  }
+  StrokeSet all(found, projection, lines, strokes);
+  if (stopped()) return drawing;
+  drawing.stats.segments = all.segmentCount();
   drawing.stats.chainMs = chainClock.ms();
 
   const Clock sightClock;
-  drawing.stats.rays = lookAt(chains, sight, projection, lines, strokes);
+  drawing.stats.rays = all.look(sight);
   drawing.stats.visibilityMs = sightClock.ms();
   if (stopped()) return drawing;
 
   const Clock strokeClock;
-  const Strokes all(chains, lines, strokes);
   if (strokes.ink) {
-    drawing.stats.thresholdFactor = InkSolver(chains, all, projection, strokes).solve(*strokes.ink);
+    drawing.stats.thresholdFactor = InkSolver(all, projection, strokes).solve(*strokes.ink);
   }
   if (stopped()) return drawing;
   for (const LineFamily family : allLineFamilies()) {
     drawing.weak[indexOf(family)] = all.weak(family, drawing.stats.thresholdFactor);
   }
   for (const StrokePart& part : all.parts(drawing.stats.thresholdFactor)) {
-    Polyline line = polylineOf(chains[part.chain], part, projection, strokes.tolerancePx);
+    Polyline line = polylineOf(all.chains()[part.chain], part, projection, strokes.tolerancePx);
     if (line.points.size() < 2) continue;
-    line.family = Strokes::familyOf(line.family, part.seen);
+    line.family = StrokeSet::familyOf(line.family, part.seen);
     drawing.polylines.push_back(std::move(line));
   }
   std::stable_sort(drawing.polylines.begin(), drawing.polylines.end(),
@@ -277,18 +188,37 @@ LineOptions linesToFind(const LineOptions& lines, const StrokeOptions& strokes) 
 Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Projection& projection,
                        const LineOptions& lines, const StrokeOptions& strokes) {
   const double scale = pictureScale(projection.width, projection.height);
-  Projection usual = projection;
-  usual.pxPerUnit /= scale;
-  usual.width /= scale;
-  usual.height /= scale;
   StrokeOptions options = strokes;
   options.tolerancePx /= scale;
-  Drawing drawing = composeNominal(found, sight, usual, lines, options);
+  Drawing drawing = composeNominal(found, sight, usualSize(projection), lines, options);
   drawing.projection = projection;
   for (Polyline& line : drawing.polylines) {
     for (Vector2d& p : line.screen) p *= scale;
   }
   return drawing;
+}
+
+StrokeLines strokeLines(const FeatureLines& found, const Sight* sight, const Projection& projection,
+                        const LineOptions& lines, const StrokeOptions& strokes, double factor) {
+  // A picture so large that nothing is cut off at its sides.
+  constexpr double kEndlessPx = 1e8;
+  Projection usual = usualSize(projection);
+  if (!sight) usual.width = usual.height = kEndlessPx;
+  StrokeSet all(found, usual, lines, strokes);
+  if (sight) {
+    all.look(*sight);
+  } else {
+    all.lookThrough();
+  }
+  StrokeLines result;
+  std::uint64_t node = 0;
+  for (const StrokePart& part : all.parts(factor)) {
+    const SeenChain& chain = all.chains()[part.chain];
+    FeatureLines& of = part.seen == Seen::Hidden ? result.hidden : result.visible;
+    appendSegments(chain.line, part, node,
+                   of.of(StrokeSet::familyOf(chain.line.chain.family, part.seen)));
+  }
+  return result;
 }
 
 }  // namespace flatland

@@ -24,4 +24,21 @@ bool movesWithInk(LineFamily family);
 Drawing composeDrawing(const FeatureLines& found, const Sight& sight, const Projection& projection,
                        const LineOptions& lines, const StrokeOptions& strokes);
 
+/// The lines that strokes go along, to be drawn by other means than polylines.
+struct StrokeLines {
+  FeatureLines visible, hidden;
+};
+
+/// The strokes that composeDrawing makes, as segments: not simplified, hidden ones too if asked
+/// for. With StrokeOptions::ink they are those of the factor that it found (DrawingStats::
+/// thresholdFactor), which is not solved for again. Segments that follow one another share nodes;
+/// what joins torn lines is among them, and lies in the triangle where it starts.
+///
+/// Without `sight` all count as visible, also what is far outside the picture; visible parts are
+/// then not judged by their own length, nor loops by what is behind them, and exterior silhouettes
+/// are all contours.
+StrokeLines strokeLines(const FeatureLines& found, const Sight* sight, const Projection& projection,
+                        const LineOptions& lines, const StrokeOptions& strokes,
+                        double factor = 1.0);
+
 }  // namespace flatland

@@ -304,4 +304,30 @@ Polyline polylineOf(const SeenChain& chain, const StrokePart& part, const Projec
   return result;
 }
 
+void appendSegments(const ScreenChain& line, const StrokePart& part, std::uint64_t& node,
+                    std::vector<LineSegment>& segments) {
+  const LineChain& chain = line.chain;
+  const Places places{line};
+  const auto endAt = [&](double place) {
+    const ScreenChain::Point p = line.at(place);
+    return LineEnd{p.at.cast<float>(), p.strength, freeNode(node++)};
+  };
+  const LineNode first = freeNode(node);
+  LineEnd before = endAt(part.from);
+  std::size_t i = places.firstAfter(part.from);
+  const auto add = [&](const LineEnd& next) {
+    const std::size_t piece = (i - 1) % chain.triangles.size();
+    segments.push_back({before, next, chain.triangles[piece], chain.level});
+    before = next;
+  };
+  for (; i < places.count() && places.place(i) < part.to; ++i) {
+    const std::size_t k = places.point(i);
+    add({chain.points[k], chain.strength[k], freeNode(node++)});
+  }
+  LineEnd last = endAt(part.to);
+  if (part.closed) last.node = first;
+  i = std::min(i, places.count() - 1);
+  add(last);
+}
+
 }  // namespace flatland

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,10 @@ std::vector<Eigen::Vector2d> screenOf(const ScreenChain& line, const StrokePart&
 /// from it. Places become points of the mesh.
 Polyline polylineOf(const SeenChain& chain, const StrokePart& part, const Projection& projection,
                     double tolerancePx);
+
+/// Appends the pieces of a stroke, with nodes from `node` on, which is counted up.
+void appendSegments(const ScreenChain& line, const StrokePart& part, std::uint64_t& node,
+                    std::vector<LineSegment>& segments);
 
 /// Indices of the points that Douglas and Peucker's simplification keeps, the first and the last
 /// among them. On a closed line the first point and the one farthest from it are kept.

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <mutex>
 
+#include "core3d/draw/compose.h"
 #include "core3d/draw/line_difference.h"
+#include "core3d/draw/sight.h"
 #include "core3d/study/line_distances.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
@@ -19,21 +21,32 @@ double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-std::vector<LineVertex> verticesOf(const std::vector<LineSegment>& segments) {
-  std::vector<LineVertex> vertices;
-  vertices.reserve(2 * segments.size());
+void addVertices(const std::vector<LineSegment>& segments, std::vector<LineVertex>& vertices) {
+  vertices.reserve(vertices.size() + 2 * segments.size());
   for (const LineSegment& segment : segments) {
     for (const LineEnd& end : {segment.a, segment.b}) {
       vertices.push_back({end.at.x(), end.at.y(), end.at.z(), end.strength});
     }
   }
-  return vertices;
 }
 
-std::vector<LineSegment> allOf(const FeatureLines& lines) {
+std::vector<LineSegment> allOf(const StrokeLines& lines) {
   std::vector<LineSegment> all;
-  for (const auto& family : lines.segments) all.insert(all.end(), family.begin(), family.end());
+  for (const FeatureLines* part : {&lines.visible, &lines.hidden}) {
+    for (const auto& family : part->segments) all.insert(all.end(), family.begin(), family.end());
+  }
   return all;
+}
+
+constexpr double kHeightPx = 600.0;  ///< of a picture of any size: strokes are the same in all
+
+/// The part of a camera that single pieces of line depend on.
+SurfaceCamera foundFor(SurfaceCamera camera) {
+  camera.zoom = 1.0;
+  camera.up = SurfaceCamera{}.up;
+  // The viewer goes along with the centre; parallel lines of sight do not.
+  if (!camera.perspectiveDeg) camera.centre.setZero();
+  return camera;
 }
 
 /// What a search depends on: not from where its lines are looked at, nor what else is shown.
@@ -42,10 +55,9 @@ PaneSetting findingPart(PaneSetting pane) {
   surface.savedCameras.clear();
   surface.plane.reset();
   surface.swept.reset();  // another surface is told by its source
-  surface.camera.zoom = 1.0;
+  // Strokes are as long however the picture is turned.
   surface.camera.up = SurfaceCamera{}.up;
-  // The viewer goes along with the centre; parallel lines of sight do not.
-  if (!surface.camera.perspectiveDeg) surface.camera.centre.setZero();
+  if (surface.unfiltered) surface.camera = foundFor(surface.camera);
   pane.ownCamera = false;
   pane.camera = {};
   return pane;
@@ -57,28 +69,36 @@ PaneSetting findingPart(PaneSetting pane) {
 struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
   explicit Worker(std::shared_ptr<const LoadedSurface> of) : surface(std::move(of)) {}
 
-  std::shared_ptr<const SeenSurface> search(const Wanted& wanted, const SurfaceView& view) {
+  std::shared_ptr<const SeenSurface> search(const Wanted& wanted) {
     const std::lock_guard lock(turn);
-    const PaneSetting& pane = wanted.pane;
-    if (!finder) finder.emplace(*surface->mesh, *surface->fields);
+    const PaneSetting& pane = wanted.lines.pane;
     auto seen = std::make_shared<SeenSurface>();
     seen->surface = surface;
-    seen->view = view;
-    const LineOptions options = lineOptionsOf(pane);
+    const Projection projection = orbitProjection(pane.surface.camera, surface->ballRadius,
+                                                  wanted.aspect * kHeightPx, kHeightPx);
+    const SurfaceView& view = seen->view = projection.view();
     const auto start = Clock::now();
-    auto found = std::make_shared<const FeatureLines>(finder->find(view, options));
+    seen->found = find(wanted.lines);
+    const StrokeLines strokes = strokesOf(*seen->found, wanted.lines, wanted.sight, projection);
     seen->lineMs = millisecondsSince(start);
-    if (wanted.first) {
-      seen->difference = compared(*found, finder->find(view, lineOptionsOf(*wanted.first)));
+    const bool hiddenKnown = wanted.sight && !pane.surface.unfiltered;
+    if (hiddenKnown) seen->visibleEnds.emplace();
+    for (std::size_t family = 0; family < kLineFamilyCount; ++family) {
+      std::vector<LineVertex>& lines = seen->lines[family];
+      addVertices(strokes.visible.segments[family], lines);
+      if (hiddenKnown) (*seen->visibleEnds)[family] = lines.size();
+      addVertices(strokes.hidden.segments[family], lines);
     }
-    for (const LineFamily family : allLineFamilies()) {
-      seen->lines[static_cast<std::size_t>(family)] = verticesOf(found->of(family));
+    if (wanted.first) {
+      const StrokeLines first =
+          strokesOf(*find(*wanted.first), *wanted.first, wanted.sight, projection);
+      seen->difference = compared(strokes, first);
     }
     seen->compared =
-        std::async(std::launch::deferred, [self = shared_from_this(), view, options, found] {
-          return self->linesToCompare(view, options, found);
+        std::async(std::launch::deferred, [self = shared_from_this(), view, found = seen->found,
+                                           asked = lineOptionsOf(pane)] {
+          return self->linesToCompare(view, asked, *found);
         }).share();
-    seen->found = std::move(found);
     if (styleOf(pane.surface) == SurfaceStyle::Colours) {
       const auto colouring = Clock::now();
       seen->colours =
@@ -88,41 +108,88 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
     return seen;
   }
 
-  /// `found` where that is what was asked for, with `asked`.
-  std::shared_ptr<const FeatureLines> linesToCompare(
-      const SurfaceView& view, const LineOptions& asked,
-      const std::shared_ptr<const FeatureLines>& found) {
+  static StrokeOptions strokeOptionsOf(const Lines& lines) {
+    StrokeOptions strokes;
+    strokes.hidden = true;
+    strokes.ink = lines.pane.surface.ink;
+    return strokes;
+  }
+
+  /// Pieces of line, as many as strokes are judged by. Kept while only the picture changes.
+  std::shared_ptr<const FeatureLines> find(const Lines& lines) {
+    Lines asked = lines;
+    asked.pane.surface.camera = foundFor(lines.pane.surface.camera);
+    if (pieces && asked == piecesOf) return pieces;
+    LineOptions options = lineOptionsOf(lines.pane);
+    if (!options.unfiltered) options = linesToFind(options, strokeOptionsOf(lines));
+    if (!finder) finder.emplace(*surface->mesh, *surface->fields);
+    const SurfaceView view = orbitView(lines.pane.surface.camera, surface->ballRadius);
+    pieces = std::make_shared<const FeatureLines>(finder->find(view, options));
+    piecesOf = std::move(asked);
+    return pieces;
+  }
+
+  StrokeLines strokesOf(const FeatureLines& found, const Lines& lines, bool withSight,
+                        const Projection& projection) {
+    if (lines.pane.surface.unfiltered) return {found, {}};
+    if (withSight && !sight) sight.emplace(*surface->mesh, *surface->fields);
+    return strokeLines(found, withSight ? &*sight : nullptr, projection, lineOptionsOf(lines.pane),
+                       strokeOptionsOf(lines), lines.factor);
+  }
+
+  /// From `all` where that is what was asked for, with `asked`.
+  std::shared_ptr<const FeatureLines> linesToCompare(const SurfaceView& view,
+                                                     const LineOptions& asked,
+                                                     const FeatureLines& all) {
     using enum LineFamily;
     const bool shown = asked[OccludingContours] && asked[ApparentRidges] &&
                        asked.thresholdOf(ApparentRidges) == 0.0 && !asked.unfiltered;
-    if (shown) return found;
+    if (shown) {
+      auto clear = std::make_shared<FeatureLines>(all);
+      for (auto& family : clear->segments) {
+        std::erase_if(family, [](const LineSegment& piece) { return !piece.standsOut; });
+      }
+      return clear;
+    }
     LineOptions wanted;
     wanted[OccludingContours] = wanted[ApparentRidges] = true;
     wanted.threshold[static_cast<std::size_t>(ApparentRidges)] = 0.0;
     wanted.derivative = asked.derivative;
     const std::lock_guard lock(turn);
+    if (!finder) finder.emplace(*surface->mesh, *surface->fields);
     return std::make_shared<const FeatureLines>(finder->find(view, wanted));
   }
 
-  SeenDifference compared(const FeatureLines& lines, const FeatureLines& first) {
+  SeenDifference compared(const StrokeLines& lines, const StrokeLines& first) {
     if (!tolerance) tolerance = meanEdge(*surface->mesh) / surface->mesh->unit;
     SeenDifference seen;
     seen.tolerance = *tolerance;
-    LineDifference found = differenceOf(allOf(lines), allOf(first), seen.tolerance);
-    seen.addedShare = found.addedShare();
-    seen.missingShare = found.missingShare();
-    seen.pieces = {std::move(found.common), std::move(found.added), std::move(found.missing)};
+    LineDifference parts = differenceOf(allOf(lines), allOf(first), seen.tolerance);
+    seen.addedShare = parts.addedShare();
+    seen.missingShare = parts.missingShare();
+    seen.pieces = {std::move(parts.common), std::move(parts.added), std::move(parts.missing)};
     for (std::size_t i = 0; i < SeenDifference::kParts; ++i) {
-      seen.lines[i] = verticesOf(seen.pieces[i]);
+      addVertices(seen.pieces[i], seen.lines[i]);
     }
     return seen;
   }
 
   std::mutex turn;
   std::shared_ptr<const LoadedSurface> surface;
-  std::optional<LineFinder> finder;  ///< made by the first search
-  std::optional<double> tolerance;   ///< likewise
+  std::optional<LineFinder> finder;            ///< made by the first search
+  std::optional<flatland::Sight> sight;        ///< likewise
+  std::optional<double> tolerance;             ///< likewise
+  std::shared_ptr<const FeatureLines> pieces;  ///< last, for `piecesOf`
+  Lines piecesOf;
 };
+
+bool SeenSurface::knowsHidden(const SurfaceView& from) const {
+  constexpr double kNearlySame = 0.05;  // 3 degrees
+  if (!visibleEnds || view.eye.has_value() != from.eye.has_value()) return false;
+  const Eigen::Vector3d here = from.eye.value_or(from.towards);
+  const Eigen::Vector3d there = view.eye.value_or(view.towards);
+  return (here - there).norm() <= kNearlySame * there.norm();
+}
 
 SeenSource::SeenSource(const Document& document, const SurfaceSource& source, std::size_t pane,
                        const SeenSource* first, const InkSource* ink, QObject* parent)
@@ -182,7 +249,7 @@ void SeenSource::borrow() {
 void SeenSource::search() {
   const std::optional<SurfaceSetting>& setting = document_.scene().surface;
   const bool there = setting && pane_ < paneCount(*setting);
-  borrows_ = there && first_ && wantedOf(pane_) == wantedOf(0);
+  borrows_ = there && first_ && linesOf(pane_) == linesOf(0);
   if (borrows_ || !there) {
     job_.cancel();
     asked_.reset();
@@ -197,31 +264,39 @@ bool SeenSource::isReady() const {
   return worker_ && document_.scene().surface->mesh == worker_->surface->reference;
 }
 
+void SeenSource::setAspect(double aspect) {
+  if (aspect == aspect_) return;
+  aspect_ = aspect;
+  search();
+}
+
 SeenSource::Wanted SeenSource::wanted() const {
-  Wanted wanted{wantedOf(pane_), {}};
-  if (first_ && wanted.pane.difference) wanted.first = wantedOf(0);
+  Wanted wanted{linesOf(pane_), {}, aspect_, true};
+  PaneSetting& pane = wanted.lines.pane;
+  if (first_ && pane.difference) wanted.first = linesOf(0);
+  // A camera elsewhere sees other parts of the lines.
+  wanted.sight = !wanted.first && !camerasDiffer(*document_.scene().surface);
+  if (pane.surface.unfiltered) wanted.aspect = 1.0;
   return wanted;
 }
 
-PaneSetting SeenSource::wantedOf(std::size_t pane) const {
-  const PaneSetting asked = paneSetting(*document_.scene().surface, pane);
-  return findingPart(ink_ ? ink_->withInk(asked, pane) : asked);
+SeenSource::Lines SeenSource::linesOf(std::size_t pane) const {
+  const SurfaceSetting& setting = *document_.scene().surface;
+  const PaneInk* ink = ink_ && setting.ink ? ink_->of(pane) : nullptr;
+  return {findingPart(paneSetting(setting, pane)), ink ? ink->factor : 1.0};
 }
 
 void SeenSource::begin() {
   if (!isReady()) return;  // the fields of another surface are on their way
   asked_ = wanted();
-  const SurfaceView view = orbitView(asked_->pane.surface.camera, worker_->surface->ballRadius);
   using Data = std::shared_ptr<const SeenSurface>;
-  job_.start<Data>(
-      [worker = worker_, wanted = *asked_, view](const JobControl&) -> std::optional<Data> {
-        return worker->search(wanted, view);
-      },
-      [this](const Data& seen) {
-        seen_ = seen;
-        ++searches_;
-        emit changed();
-      });
+  job_.start<Data>([worker = worker_, wanted = *asked_](
+                       const JobControl&) -> std::optional<Data> { return worker->search(wanted); },
+                   [this](const Data& seen) {
+                     seen_ = seen;
+                     ++searches_;
+                     emit changed();
+                   });
 }
 
 }  // namespace flatland::ui

@@ -38,17 +38,25 @@ struct SeenDifference {
 struct SeenSurface {
   std::shared_ptr<const LoadedSurface> surface;
   SurfaceView view;
-  std::shared_ptr<const FeatureLines> found;  ///< what `lines` are made from
+  std::shared_ptr<const FeatureLines> found;  ///< pieces of line that `lines` are made from
+  /// The strokes that `flatland lines` draws in a picture of this shape, the hidden ones too; every
+  /// piece of line that was found if the look is unfiltered.
   std::array<std::vector<LineVertex>, kLineFamilyCount> lines;
+  /// How many ends of each family's, from the first on, are not hidden. Empty: that is not known.
+  std::optional<std::array<std::size_t, kLineFamilyCount>> visibleEnds;
   std::optional<SeenDifference> difference;  ///< if the view shows that
   std::optional<VertexColours> colours;      ///< of the quantity asked for
-  double lineMs = 0.0;                       ///< looking for the lines
+  double lineMs = 0.0;                       ///< looking for the lines and judging strokes
   double colourMs = 0.0;
 
   /// Contours and all apparent ridges, however weak and whatever the look shows: what flatland's
   /// marks, which know no threshold, are compared with. Looked for once, by who first asks for
   /// them, in any thread; at once there if the look shows just these.
   std::shared_future<std::shared_ptr<const FeatureLines>> compared;
+
+  /// True if what is hidden is known, and about the same from there: within 3 degrees, so that
+  /// lines of a moving camera are not told to be hidden in two ways by turns.
+  bool knowsHidden(const SurfaceView& from) const;
 };
 
 /// The lines of one view of the document's surface as its camera sees it, found beside the window's
@@ -73,16 +81,28 @@ class SeenSource : public QObject {
   bool isStale() const { return job_.isStale() || (borrows_ && first_->isStale()); }
   int searches() const { return searches_; }  ///< of its own, ended so far
 
+  /// Of the picture, width over height (> 0): strokes are as long as they are in it.
+  void setAspect(double aspect);
+
  signals:
   void changed();
   void failed(const QString& reason);
 
  private:
   struct Worker;
+  /// Lines of a view, with the factor on its thresholds that ink needs.
+  struct Lines {
+    PaneSetting pane;
+    double factor = 1.0;
+
+    bool operator==(const Lines&) const = default;
+  };
   /// What a search is asked for: the view, and the first one where it is compared with that.
   struct Wanted {
-    PaneSetting pane;
-    std::optional<PaneSetting> first;
+    Lines lines;
+    std::optional<Lines> first;
+    double aspect = 1.0;
+    bool sight = true;  ///< what is hidden is to be found, else left to whoever draws
 
     bool operator==(const Wanted&) const = default;
   };
@@ -92,7 +112,7 @@ class SeenSource : public QObject {
   void begin();
   bool isReady() const;
   Wanted wanted() const;
-  PaneSetting wantedOf(std::size_t pane) const;
+  Lines linesOf(std::size_t pane) const;
   void borrow();
   void drop();
 
@@ -106,6 +126,7 @@ class SeenSource : public QObject {
   std::shared_ptr<const SeenSurface> seen_;
   std::optional<Wanted> asked_;  ///< of the last search
   bool borrows_ = false;         ///< what the first view found
+  double aspect_ = 4.0 / 3.0;
   int searches_ = 0;
 };
 

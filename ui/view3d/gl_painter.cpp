@@ -184,7 +184,19 @@ void GlPainter::paintLines(const SurfacePicture& picture, const QSize& pixels, d
     lineProgram_.setUniformValue("threshold", static_cast<float>(layer.threshold));
     lineProgram_.setUniformValue(
         "halfWidth", static_cast<float>(0.5 * layer.widthPx * picture.lineScale * pixelRatio));
-    glDrawArrays(GL_LINES, starts_.at(layer.ends), static_cast<int>(layer.ends->size()));
+    const int start = starts_.at(layer.ends), all = static_cast<int>(layer.ends->size());
+    if (!layer.visibleEnds) {
+      glDrawArrays(GL_LINES, start, all);
+      continue;
+    }
+    const int visible = static_cast<int>(*layer.visibleEnds);
+    glDisable(GL_DEPTH_TEST);
+    if (hiddenOnes) {
+      glDrawArrays(GL_LINES, start + visible, all - visible);
+    } else {
+      glDrawArrays(GL_LINES, start, visible);
+    }
+    glEnable(GL_DEPTH_TEST);
   }
 }
 

@@ -90,7 +90,11 @@ void PaneWidget::makeCanvas() {
 }
 
 bool PaneWidget::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == canvas_ && event->type() == QEvent::Resize) overlay_->resize(canvas_->size());
+  if (watched == canvas_ && event->type() == QEvent::Resize) {
+    overlay_->resize(canvas_->size());
+    models_.seen.setAspect(static_cast<double>(qMax(canvas_->width(), 1)) /
+                           qMax(canvas_->height(), 1));
+  }
   if (watched == canvas_ && event->type() == QEvent::FocusIn) {
     models_.views.setActive(models_.pane);
   }

@@ -188,13 +188,16 @@ class Painter {
     const HiddenLines hidden = hiddenOf(picture_.setting);
     for (const LineLayer& layer : lineLayers(picture_)) {
       for (std::size_t i = 0; i + 1 < layer.ends->size(); i += 2) {
-        paintSegment(painter, (*layer.ends)[i], (*layer.ends)[i + 1], layer, hidden);
+        const auto seen = layer.visibleEnds ? std::optional(i < *layer.visibleEnds) : std::nullopt;
+        paintSegment(painter, (*layer.ends)[i], (*layer.ends)[i + 1], layer, hidden, 1.0f, seen);
       }
     }
   }
 
+  /// `seen`: whether it is not hidden, if that is known.
   void paintSegment(QPainter& painter, const LineVertex& a, const LineVertex& b,
-                    const LineLayer& layer, HiddenLines hidden, float opacity = 1.0f) const {
+                    const LineLayer& layer, HiddenLines hidden, float opacity = 1.0f,
+                    std::optional<bool> seen = {}) const {
     bool aInFront = false, bInFront = false;
     const Vector3f from = toPicture({a.x, a.y, a.z}, &aInFront);
     const Vector3f to = toPicture({b.x, b.y, b.z}, &bInFront);
@@ -214,9 +217,8 @@ class Painter {
       const float reached = shareAt(next);
       const float middle = 0.5f * (at + (reached < 1.0f ? next : last));
       const bool isGap = static_cast<long>(std::floor(middle)) % 2 != 0;
-      const float opacityHere = isVisible(from + 0.5f * (done + reached) * (to - from))
-                                    ? 1.0f
-                                    : hiddenOpacity(hidden, isGap);
+      const bool visible = seen ? *seen : isVisible(from + 0.5f * (done + reached) * (to - from));
+      const float opacityHere = visible ? 1.0f : hiddenOpacity(hidden, isGap);
       if (opacityHere != before) {
         paintPiece(painter, from + begun * (to - from), from + done * (to - from), layer,
                    before * ink);
@@ -325,12 +327,18 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
   auto order = allLineFamilies();
   std::stable_partition(order.begin(), order.end(),
                         [](LineFamily family) { return !isOutline(family); });
+  const SeenSurface& seen = *picture.seen;
+  const bool knowsHidden =
+      seen.surface->mesh == picture.surface->mesh &&
+      seen.knowsHidden(orbitView(picture.setting.camera, picture.surface->ballRadius));
   for (const LineFamily family : order) {
+    const auto index = static_cast<std::size_t>(family);
     const SurfaceFamily look = familyOf(picture.setting, family);
     if (!look.on) continue;
     const bool fades = look.fade && !picture.setting.unfiltered;
-    layers.push_back({&picture.seen->lines[static_cast<std::size_t>(family)],
-                      colourOf(look, picture.palette), look.widthPx, fades ? look.threshold : 0.0});
+    layers.push_back({&seen.lines[index], colourOf(look, picture.palette), look.widthPx,
+                      fades ? look.threshold : 0.0});
+    if (knowsHidden) layers.back().visibleEnds = (*seen.visibleEnds)[index];
   }
   return layers;
 }

@@ -41,6 +41,8 @@ struct LineLayer {
   Rgb colour;
   double widthPx;
   double threshold;  ///< weak lines are paler; 0: none is
+  /// So many ends are of lines that are seen, the rest is hidden. Empty: depth tells.
+  std::optional<std::size_t> visibleEnds = {};
 };
 
 /// The lines of a picture, first drawn first. None if there are none of its surface.
