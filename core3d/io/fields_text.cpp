@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -20,6 +21,8 @@ constexpr std::array kColumns = {"x",   "y",      "z",       "nx",     "ny",    
                                  "nw",  "lambda", "feature", "offset", "perspective"};
 using Row = std::array<double, kColumns.size()>;
 
+// Its third power leaves 1e83 for what the terms are in units of the mesh.
+constexpr double kLongestSide = 1e75;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Row rowOf(const TriangleMesh& mesh, const SurfaceFields& fields, const SurfaceView& view,
@@ -71,8 +74,16 @@ void appendBytes(std::string& bytes, Bits bits) {
 
 }  // namespace
 
+std::optional<std::string> whyNoFieldsFile(const TriangleMesh& mesh) {
+  const double side = 2.0 * mesh.unit;
+  if (side >= 1.0 / kLongestSide && side <= kLongestSide) return {};
+  return "the longest side is " + numberText(side) +
+         ": terms in 1/length^3 are written for sides from 1e-75 to 1e75";
+}
+
 std::string fieldsToPly(const TriangleMesh& mesh, const SurfaceFields& fields,
                         const SurfaceView& view) {
+  assert(!whyNoFieldsFile(mesh));
   std::string ply = "ply\nformat binary_little_endian 1.0\ncomment flatland fields\n";
   ply += "element vertex " + std::to_string(mesh.vertexCount()) + "\n";
   for (const char* column : kColumns) ply += "property double " + std::string(column) + "\n";
@@ -96,6 +107,7 @@ std::string fieldsToPly(const TriangleMesh& mesh, const SurfaceFields& fields,
 
 std::string fieldsToCsv(const TriangleMesh& mesh, const SurfaceFields& fields,
                         const SurfaceView& view) {
+  assert(!whyNoFieldsFile(mesh));
   std::string csv;
   for (const char* column : kColumns) csv += std::string(column) + ",";
   csv += "file_vertex\r\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core3d/diff/surface_fields.h"
@@ -22,6 +23,13 @@ namespace flatland {
 //   file_vertex              the vertex of the file
 //
 // lambda and the terms do not exist where nw = 0 or the normal is unknown.
+
+/// Why these numbers cannot be written for this mesh, for a person; empty if they can. Its longest
+/// side has to lie between 1e-75 and 1e75: the terms go with the third power of its inverse, and
+/// doubles end at 1e-308 and 1e308.
+std::optional<std::string> whyNoFieldsFile(const TriangleMesh& mesh);
+
+// Precondition of both: !whyNoFieldsFile(mesh).
 
 /// Binary little-endian PLY with the triangles. Values in double, "not a number" where they do not
 /// exist.

@@ -158,7 +158,8 @@ TEST_F(BridgeCommand, RandomOnesAreNamedWithTheirNumbers) {
 }
 
 TEST_F(BridgeCommand, WhatCannotBeIsRefused) {
-  const auto refused = [this](std::vector<std::string> arguments, int code, const char* message) {
+  const auto refused = [this](std::vector<std::string> arguments, int code,
+                              const std::string& message) {
     arguments.insert(arguments.begin(), "bridge");
     arguments.insert(arguments.end(), {"-o", "out.json"});
     expectRefused(arguments, code, message);
@@ -258,7 +259,8 @@ TEST_F(SliceCommand, ThroughAPlaceAlongTheViewAndTheDirectionOfTheRidge) {
 }
 
 TEST_F(SliceCommand, WhatCannotBeIsRefused) {
-  const auto refused = [this](std::vector<std::string> arguments, int code, const char* message) {
+  const auto refused = [this](std::vector<std::string> arguments, int code,
+                              const std::string& message) {
     arguments.insert(arguments.begin(), "slice");
     arguments.insert(arguments.end(), {"-o", "out.json"});
     expectRefused(arguments, code, message);
@@ -274,6 +276,13 @@ TEST_F(SliceCommand, WhatCannotBeIsRefused) {
   refused({"solid:torus:12", "--plane", "1,0,0,9"}, 2, "does not cut the mesh");
   refused({"solid:torus:12", "--plane", "1,0,0,0", "--tolerance", "0"}, 2, "--tolerance");
   refused({"solid:torus:12", "--plain", "1,0,0,0"}, 2, "did you mean '--plane'?");
+  for (const char* size : {"1e-300", "1e200"}) {
+    std::ofstream(folder_.path() / "far.obj")
+        << "v 0 0 0\nv " << size << " 0 0\nv 0 " << size << " 0\nv 0 0 " << size
+        << "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    refused({"far.obj", "--plane", "1,0,0,0"}, 1,
+            std::string("far.obj: the longest side is ") + size);
+  }
   refused({"none.obj", "--plane", "1,0,0,0"}, 1, "none.obj");
   refused({"solid:tours", "--plane", "1,0,0,0"}, 1, "no such solid");
   expectRefused({"slice", "solid:torus:12", "--plane", "1,0,0,0", "-o", "out.svg"}, 2, ".json");

@@ -5,6 +5,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -131,6 +134,68 @@ TEST(ConvergenceCommand, FindsWeakRidgesAndSaysWhatDoesNotExist) {
       run({"convergence", "extrusion", "--cells", "20,30", "--threshold", "1e5"});
   EXPECT_EQ(none.out.find("nan"), std::string::npos) << none.out;
   EXPECT_NE(none.out.find("-         -       -  1.0000"), std::string::npos) << none.out;
+}
+
+/// A dome over [-1/2, 1/2]^2, times `size`.
+void writeDome(const std::filesystem::path& file, double size) {
+  constexpr int kCells = 8;
+  std::ofstream out(file);
+  out << std::setprecision(17);
+  for (int i = 0; i <= kCells; ++i) {
+    for (int j = 0; j <= kCells; ++j) {
+      const double x = 1.0 * i / kCells - 0.5, y = 1.0 * j / kCells - 0.5;
+      out << "v " << size * x << ' ' << size * y << ' '
+          << size * 0.3 * std::cos(3.0 * x) * std::cos(2.0 * y) << '\n';
+    }
+  }
+  for (int i = 0; i < kCells; ++i) {
+    for (int j = 0; j < kCells; ++j) {
+      const int a = i * (kCells + 1) + j + 1, b = a + kCells + 1;
+      out << "f " << a << ' ' << b << ' ' << b + 1 << ' ' << a + 1 << '\n';
+    }
+  }
+}
+
+// k goes with 1 / size, lambda with its square, terms with its third power: what a double holds of
+// all of them is written, and no mesh gives infinities or zeros instead.
+TEST(FieldsCommand, SizesScaleTheValuesOrAreRefused) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.path() / "dome.obj", file = folder.path() / "dome.csv";
+  const auto rowsAt = [&](double size) {
+    writeDome(mesh, size);
+    EXPECT_EQ(run({"fields", mesh, "-o", file, "--view", "1,2,3"}).exitCode, 0);
+    return rowsOf(contentsOf(file));
+  };
+  const auto unit = rowsAt(1.0);
+  for (const double size : {0x1p-247, 0x1p-66, 0x1p100, 0x1p247}) {
+    SCOPED_TRACE(size);
+    auto rows = rowsAt(size);
+    ASSERT_EQ(rows.size(), unit.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      auto expected = unit[i];
+      EXPECT_EQ(rows[i]["k1"] * size, expected["k1"]);
+      EXPECT_EQ(rows[i]["lambda"] * size * size, expected["lambda"]);
+      EXPECT_EQ(rows[i]["feature"] * size * size * size, expected["feature"]);
+      EXPECT_EQ(rows[i]["offset"] * size * size * size, expected["offset"]);
+    }
+  }
+  for (const double size : {1e-300, 1e-100, 1e100, 1e300}) {
+    SCOPED_TRACE(size);
+    writeDome(mesh, size);
+    for (const char* name : {"far.ply", "far.csv"}) {
+      const std::string output = folder.path() / name;
+      const ProgramResult refused = run({"fields", mesh, "-o", output});
+      EXPECT_EQ(refused.exitCode, 1);
+      EXPECT_NE(refused.err.find("dome.obj: the longest side is 1e"), std::string::npos)
+          << refused.err;
+      EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+      EXPECT_FALSE(std::filesystem::exists(output));
+    }
+    // Its lines are those of every size.
+    const std::string drawing = folder.path() / "dome.json";
+    ASSERT_EQ(run({"lines", mesh, "-o", drawing, "--lines", "boundaries,ridges"}).exitCode, 0);
+    EXPECT_GE(json::parse(contentsOf(drawing))["polylines"].size(), 1u);
+  }
 }
 
 TEST(FieldsCommand, NeverOverwritesItsMesh) {

@@ -127,6 +127,9 @@ void SurfaceExporter::writeLines(const QString& name, const QSize& size) {
 
 void SurfaceExporter::writeFields(const QString& name) {
   const auto& surface = models_.source.surface();
+  if (const auto why = whyNoFieldsFile(*surface->mesh)) {
+    return emit failed(QString::fromStdString(*why));
+  }
   const SurfaceView view = models_.foundView();
   const bool csv = QFileInfo(name).suffix().toLower() == "csv";
   enqueue<std::string>(

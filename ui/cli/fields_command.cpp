@@ -3,6 +3,7 @@
 
 #include "core3d/io/fields_text.h"
 #include "flatland/io/atomic_file.h"
+#include "flatland/io/input_error.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
 #include "ui/cli/picture.h"
@@ -27,6 +28,7 @@ int run(const Options& options) {
   refuseToOverwrite(options.mesh, options.output);
   const PreparedMesh prepared = preparedMesh(options.mesh, options.fields);
   const TriangleMesh& mesh = prepared.built.mesh;
+  if (const auto why = whyNoFieldsFile(mesh)) throw InputError(options.mesh, "", *why);
   const SurfaceView view = projectionOf(options.camera, mesh).view();
   const bool csv = extensionOf(options.output) == ".csv";
   writeFileAtomically(options.output, csv ? fieldsToCsv(mesh, prepared.fields, view)

@@ -6,6 +6,8 @@
 
 #include "core3d/lines/line_finder.h"
 #include "core3d/study/section.h"
+#include "flatland/io/input_error.h"
+#include "flatland/io/number_text.h"
 #include "flatland/io/scene_json.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
@@ -100,6 +102,12 @@ int run(const Options& options) {
   }
   const PreparedMesh prepared = preparedMesh(options.mesh, options.fields);
   const TriangleMesh& mesh = prepared.built.mesh;
+  if (const double side = 2.0 * mesh.unit;
+      !(side >= 1.0 / kLargestLength && side <= kLargestLength)) {
+    throw InputError(options.mesh, "",
+                     "the longest side is " + numberText(side) +
+                         ": sections become curves for sides from 1e-50 to 1e50");
+  }
   const SurfaceView view{.towards = options.towards, .eye = {}};
   const double tolerance =
       options.tolerance > 0.0 ? options.tolerance : 2.0 * mesh.unit * kUsualTolerance;
