@@ -276,7 +276,7 @@ TEST_F(SliceCommand, WhatCannotBeIsRefused) {
   refused({"solid:torus:12", "--plane", "1,0,0,9"}, 2, "does not cut the mesh");
   refused({"solid:torus:12", "--plane", "1,0,0,0", "--tolerance", "0"}, 2, "--tolerance");
   refused({"solid:torus:12", "--plain", "1,0,0,0"}, 2, "did you mean '--plane'?");
-  for (const char* size : {"1e-300", "1e200"}) {
+  for (const char* size : {"1e-300", "1e+200"}) {
     std::ofstream(folder_.path() / "far.obj")
         << "v 0 0 0\nv " << size << " 0 0\nv 0 " << size << " 0\nv 0 0 " << size
         << "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
