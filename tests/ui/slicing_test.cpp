@@ -236,7 +236,7 @@ class SlicingTest : public QObject, private BridgingWindow {
     QCOMPARE(d.document().undoStack().count(), steps + 2);
     // The untouched angle stays as it is, not as its field rounds it.
     const NormalAngles angles = anglesOf(plane().normal);
-    d.child<QDoubleSpinBox>("section.azimuth").setValue(std::round(angles.azimuthDeg) + 3.0);
+    d.child<QDoubleSpinBox>("section.azimuth").setValue(std::round(*angles.azimuthDeg) + 3.0);
     QVERIFY(std::abs(anglesOf(plane().normal).elevationDeg - angles.elevationDeg) < 1e-9);
     d.trigger("edit.undo");
     // Another view lets the shared grip go, and keys come in the middle of a drag.
@@ -285,6 +285,37 @@ class SlicingTest : public QObject, private BridgingWindow {
     QVERIFY(quiet());
     while (d.document().undoStack().index() > steps) d.document().undoStack().undo();
     QVERIFY(plane() == start);
+  }
+
+  void anUprightNormalKeepsItsAzimuth() {
+    WindowDriver& d = *driver_;
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    d.trigger("surface.plane.view");
+    QVERIFY(quiet());
+    auto& azimuth = d.child<QDoubleSpinBox>("section.azimuth");
+    auto& elevation = d.child<QDoubleSpinBox>("section.elevation");
+    azimuth.setValue(30.0);
+    for (const double end : {90.0, -90.0}) {
+      elevation.setValue(end);
+      QVERIFY(plane().normal == Eigen::Vector3d(0.0, std::copysign(1.0, end), 0.0));
+      QVERIFY(!anglesOf(plane().normal).azimuthDeg);
+      QCOMPARE(azimuth.value(), 30.0);
+    }
+    // What a turn leaves beside the axis says nothing of an azimuth.
+    SurfaceSetting setting = *d.scene().surface;
+    setting.plane->normal = Eigen::Vector3d(-3e-17, 1.0, 2e-16);
+    d.document().push(std::make_unique<SetSurface>(d.document(), setting, "upright"));
+    QCOMPARE(azimuth.value(), 30.0);
+    elevation.setValue(45.0);
+    const double side = std::sqrt(0.5) * std::cos(30.0 / kDeg);
+    QVERIFY((plane().normal - Eigen::Vector3d(side, std::sqrt(0.5), -0.5 * std::sqrt(0.5))).norm() <
+            1e-12);
+    // Chosen while it says nothing, it is there when the normal leans again.
+    elevation.setValue(90.0);
+    azimuth.setValue(-120.0);
+    elevation.setValue(0.0);
+    QVERIFY(std::abs(*anglesOf(plane().normal).azimuthDeg + 120.0) < 1e-9);
   }
 
   void alongTAFlatlandAgrees() {

@@ -128,14 +128,18 @@ SurfacePlane turnedAbout(const SurfacePlane& plane, const Vector3d& axis, double
 
 NormalAngles anglesOf(const Vector3d& normal) {
   const double flat = std::hypot(normal.x(), normal.z());
-  return {flat > 0.0 ? std::atan2(-normal.z(), normal.x()) * kDeg : 0.0,
-          std::atan2(normal.y(), flat) * kDeg};
+  NormalAngles angles{{}, std::atan2(normal.y(), flat) * kDeg};
+  if (flat > kSeenAlong) angles.azimuthDeg = std::atan2(-normal.z(), normal.x()) * kDeg;
+  return angles;
 }
 
 Vector3d normalOf(const NormalAngles& angles) {
-  const double azimuth = angles.azimuthDeg / kDeg, elevation = angles.elevationDeg / kDeg;
-  return {std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
-          -std::cos(elevation) * std::sin(azimuth)};
+  const double elevation = angles.elevationDeg / kDeg, flat = std::cos(elevation);
+  if (!angles.azimuthDeg || flat <= kSeenAlong) {
+    return std::copysign(1.0, elevation) * Vector3d::UnitY();
+  }
+  const double azimuth = *angles.azimuthDeg / kDeg;
+  return {flat * std::cos(azimuth), std::sin(elevation), -flat * std::sin(azimuth)};
 }
 
 }  // namespace flatland::ui

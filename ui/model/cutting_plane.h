@@ -68,11 +68,14 @@ SurfacePlane turnedTo(const SurfacePlane& plane, const Eigen::Vector3d& rimPlace
 SurfacePlane turnedAbout(const SurfacePlane& plane, const Eigen::Vector3d& axis, double angleRad);
 
 /// The normal as two angles in degrees, for people: azimuth in (-180, 180] about y from x towards
-/// -z, elevation in [-90, 90] above the plane of x and z.
+/// -z, elevation in [-90, 90] above the plane of x and z. A normal along y, but for kSeenAlong, has
+/// no azimuth: what is left of it would be rounding.
 struct NormalAngles {
-  double azimuthDeg, elevationDeg;
+  std::optional<double> azimuthDeg;
+  double elevationDeg;
 };
 NormalAngles anglesOf(const Eigen::Vector3d& normal);
+/// Exactly along y where the azimuth says nothing, or is empty.
 Eigen::Vector3d normalOf(const NormalAngles& angles);
 
 }  // namespace flatland::ui

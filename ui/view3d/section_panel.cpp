@@ -195,13 +195,10 @@ void SectionPanel::typed() {
   if (sender() == height_) {
     plane = moved(plane, height_->value() - height, models_.source.surface()->ballRadius);
   } else {
-    // The other field shows its angle rounded.
+    // The other field shows its angle rounded; the azimuth of an upright normal is only there.
     NormalAngles angles = anglesOf(plane.normal);
-    if (sender() == azimuth_) {
-      angles.azimuthDeg = azimuth_->value();
-    } else {
-      angles.elevationDeg = elevation_->value();
-    }
+    if (sender() == azimuth_ || !angles.azimuthDeg) angles.azimuthDeg = azimuth_->value();
+    if (sender() == elevation_) angles.elevationDeg = elevation_->value();
     plane.normal = normalOf(angles);
   }
   setPlane(plane, tr("move plane"));
@@ -214,7 +211,7 @@ void SectionPanel::showPlane() {
   const QSignalBlocker azimuthSilent(azimuth_), elevationSilent(elevation_), heightSilent(height_);
   if (cut) {
     const NormalAngles angles = anglesOf(setting->plane->normal);
-    azimuth_->setValue(angles.azimuthDeg);
+    if (angles.azimuthDeg) azimuth_->setValue(*angles.azimuthDeg);
     elevation_->setValue(angles.elevationDeg);
     height_->setValue(setting->plane->point.dot(setting->plane->normal));
   }
