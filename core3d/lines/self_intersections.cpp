@@ -25,6 +25,29 @@ struct Box {
   }
 };
 
+// The places that all triangles of a node have a vertex at, as vertices; none is kNone.
+struct CommonPlaces {
+  std::array<std::uint32_t, 3> vertices{TriangleMesh::kNone, TriangleMesh::kNone,
+                                        TriangleMesh::kNone};
+
+  bool has(const TriangleMesh& mesh, std::uint32_t vertex) const {
+    return std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
+      return v != TriangleMesh::kNone && mesh.position(v) == mesh.position(vertex);
+    });
+  }
+  // Keeps what the other has too.
+  void keep(const TriangleMesh& mesh, const CommonPlaces& other) {
+    for (std::uint32_t& v : vertices) {
+      if (v != TriangleMesh::kNone && !other.has(mesh, v)) v = TriangleMesh::kNone;
+    }
+  }
+  bool meets(const TriangleMesh& mesh, const CommonPlaces& other) const {
+    return std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
+      return v != TriangleMesh::kNone && other.has(mesh, v);
+    });
+  }
+};
+
 // A binary tree over the triangles in their order, which follows space already.
 class BoxTree {
  public:
@@ -32,19 +55,32 @@ class BoxTree {
     const auto count = static_cast<std::uint32_t>(mesh.triangleCount());
     while (leaves_ * kLeaf < count) leaves_ *= 2;
     boxes_.resize(2 * leaves_);
+    places_.resize(2 * leaves_);
     for (std::uint32_t t = 0; t < count; ++t) {
-      for (const std::uint32_t v : mesh.triangles[t])
-        boxes_[leaves_ + t / kLeaf].add(mesh.position(v).array());
+      const std::uint32_t node = leaves_ + t / kLeaf;
+      for (const std::uint32_t v : mesh.triangles[t]) boxes_[node].add(mesh.position(v).array());
+      if (t % kLeaf == 0) {
+        places_[node].vertices = mesh.triangles[t];
+      } else {
+        places_[node].keep(mesh, {mesh.triangles[t]});
+      }
     }
     for (std::uint32_t node = leaves_ - 1; node > 0; --node) {
       for (const Box& child : {boxes_[2 * node], boxes_[2 * node + 1]}) {
         boxes_[node].low = boxes_[node].low.min(child.low);
         boxes_[node].high = boxes_[node].high.max(child.high);
       }
+      places_[node] = places_[2 * node];
+      // Leaves beyond the last triangle say nothing.
+      if (boxes_[2 * node + 1].low.x() <= boxes_[2 * node + 1].high.x()) {
+        places_[node].keep(mesh, places_[2 * node + 1]);
+      }
     }
   }
 
-  // Calls visit(t, u), t < u, for all pairs whose leaves' boxes meet.
+  // Calls visit(t, u), t < u, for all pairs whose leaves' boxes meet, but for some that touch:
+  // where thousands of triangles meet in a vertex, their boxes do, and so do those of all nodes
+  // above.
   template <typename Visit>
   void pairs(const Visit& visit) const {
     std::vector<std::array<std::uint32_t, 2>> open{{1, 1}};
@@ -52,6 +88,7 @@ class BoxTree {
       const auto [a, b] = open.back();
       open.pop_back();
       if (a != b && !boxes_[a].meets(boxes_[b])) continue;
+      if (places_[a].meets(mesh_, places_[b])) continue;
       if (a >= leaves_) {  // so is b: both are on the same level
         const std::uint32_t count = static_cast<std::uint32_t>(mesh_.triangleCount());
         const std::uint32_t aFirst = (a - leaves_) * kLeaf, bFirst = (b - leaves_) * kLeaf;
@@ -73,6 +110,7 @@ class BoxTree {
   const TriangleMesh& mesh_;
   std::uint32_t leaves_ = 1;
   std::vector<Box> boxes_;
+  std::vector<CommonPlaces> places_;
 };
 
 // Six times the signed volume of four vertices, positive if d lies on the side from which a, b, c

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <map>
 #include <numbers>
 
 #include "tests/core3d/lines_check.h"
@@ -211,87 +210,6 @@ TEST(Lines, CreasesAndBoundariesOfCubes) {
     options.threshold[static_cast<std::size_t>(LineFamily::Creases)] = 45;
     EXPECT_EQ(finder.find({}, options).of(LineFamily::Creases).size(), creases);
   }
-}
-
-TEST(Lines, TwoSpheresCrossInACircle) {
-  SolidMesh two = meshOf({SolidKind::Sphere, 1.0}, {.cells = 24});
-  const SolidMesh other = meshOf({SolidKind::Sphere, 1.0}, {.cells = 23});
-  const auto first = static_cast<std::uint32_t>(two.soup.vertexCount());
-  for (std::size_t v = 0; v < other.soup.vertexCount(); ++v) {
-    const double* p = &other.soup.positions[3 * v];
-    two.soup.addVertex(p[0] + 1.0, p[1], p[2]);
-  }
-  for (std::size_t i = 0; i < other.soup.corners.size(); i += 3) {
-    const std::uint32_t* c = &other.soup.corners[i];
-    two.soup.addTriangle(c[0] + first, c[1] + first, c[2] + first);
-  }
-  const TriangleMesh mesh = buildMesh(two.soup).mesh;
-  SurfaceFields fields;
-  fields.resize(mesh.vertexCount());
-  const FeatureLines lines =
-      LineFinder(mesh, fields).find({}, only({LineFamily::SelfIntersections}));
-  const auto& found = lines.of(LineFamily::SelfIntersections);
-  EXPECT_NEAR(totalLength(mesh, found), 2 * kPi * std::sqrt(0.75), 0.02);
-  std::map<LineNode, int> degree;
-  for (const LineSegment& s : found) {
-    EXPECT_LT(std::abs(middleInFile(mesh, s).x() - 0.5), 5e-3);
-    ++degree[s.a.node];
-    ++degree[s.b.node];
-  }
-  for (const auto& [node, count] : degree) EXPECT_EQ(count, 2) << "the circle is not closed";
-}
-
-std::vector<LineSegment> selfIntersectionsOf(const PolygonSoup& soup) {
-  const TriangleMesh mesh = buildMesh(soup).mesh;
-  SurfaceFields fields;
-  fields.resize(mesh.vertexCount());
-  return LineFinder(mesh, fields)
-      .find({}, only({LineFamily::SelfIntersections}))
-      .of(LineFamily::SelfIntersections);
-}
-
-TEST(Lines, WhatLiesInOnePlaneOrTouchesDoesNotPassThroughItself) {
-  for (const Solid& solid : standardSolids()) {
-    for (const int cells : {20, 57}) {
-      EXPECT_TRUE(selfIntersectionsOf(meshOf(solid, {.cells = cells}).soup).empty())
-          << solid.name() << ", " << cells;
-    }
-  }
-  // Planes in general position, whose float coordinates are not quite in one plane.
-  for (const double slope : {0.0, 0.3, 17.0}) {
-    constexpr std::uint32_t kCells = 40;
-    PolygonSoup plane;
-    for (std::uint32_t j = 0; j <= kCells; ++j) {
-      for (std::uint32_t i = 0; i <= kCells; ++i)
-        plane.addVertex(0.1 * i, 0.1 * j, slope * (0.1 * i + 0.057 * j));
-    }
-    for (std::uint32_t j = 0; j < kCells; ++j) {
-      for (std::uint32_t i = 0; i < kCells; ++i) {
-        const std::uint32_t a = j * (kCells + 1) + i, b = a + kCells + 1;
-        plane.addTriangle(a, a + 1, b + 1);
-        plane.addTriangle(a, b + 1, b);
-      }
-    }
-    EXPECT_TRUE(selfIntersectionsOf(plane).empty()) << slope;
-  }
-  // A triangle across another's plane, its tip `depth` past its inside; then just touching its rim.
-  const auto pierced = [](double depth, double aside) {
-    PolygonSoup two;
-    two.addVertex(-1, -1, 0);
-    two.addVertex(1, -1, 0);
-    two.addVertex(0, 1, 0);
-    two.addVertex(aside, -0.2, -depth);
-    two.addVertex(aside, -0.3, 1);
-    two.addVertex(aside, 0.3, 1);
-    two.addTriangle(0, 1, 2);
-    two.addTriangle(3, 4, 5);
-    return selfIntersectionsOf(two).size();
-  };
-  EXPECT_EQ(pierced(0.1, 0.1), 1u);
-  EXPECT_EQ(pierced(1e-4, 0.1), 1u);
-  EXPECT_EQ(pierced(1e-9, 0.1), 0u);
-  EXPECT_EQ(pierced(-1e-4, 0.1), 0u);
-  EXPECT_EQ(pierced(0.1, 0.9), 0u);
 }
 
 // The same pieces in the same order, from a finder that culls and has seen another view (it keeps
