@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <tuple>
 #include <utility>
 
@@ -79,22 +78,27 @@ LineChain cutBack(const ScreenChain& line, double front, double back) {
 
 class Bridges {
  public:
-  Bridges(const std::vector<ScreenChain>& lines, double pxPerUnit, double largestGapPx)
-      : lines_(lines),
-        pxPerUnit_(pxPerUnit),
+  Bridges(std::vector<ScreenChain> lines, const Projection& projection, double largestGapPx)
+      : lines_(std::move(lines)),
+        projection_(projection),
+        pxPerUnit_(projection.pxPerUnit),
         gap_(largestGapPx),
-        partner_(2 * lines.size(), kNoEnd),
-        cut_(2 * lines.size(), 0.0) {
-    for (const ScreenChain& line : lines) {
+        reach2_(std::pow(std::max(overlap(), kBesidePx), 2) + kBesidePx * kBesidePx),
+        partner_(2 * lines_.size(), kNoEnd),
+        cut_(2 * lines_.size(), 0.0) {
+    for (const ScreenChain& line : lines_) {
       for (const bool last : {false, true}) {
         tips_.push_back(line.chain.closed ? Tip{} : tipOf(line, last));
-        if (!line.chain.closed) cells_[cellOf(tips_.back().screen)].push_back(tips_.size() - 1);
+        if (line.chain.closed) continue;
+        const Vector2d& at = tips_.back().screen;
+        places_.push_back({cellOf(at), at, tips_.size() - 1});
       }
     }
+    std::sort(places_.begin(), places_.end(), [](const Place& p, const Place& q) {
+      return std::tie(p.cell, p.end) < std::tie(q.cell, q.end);
+    });
     std::vector<std::tuple<double, End, End>> candidates;
-    for (const auto& [cell, ends] : cells_) {
-      for (const End e : ends) addCandidates(e, cell, candidates);
-    }
+    for (const Place& place : places_) addCandidates(place, candidates);
     std::sort(candidates.begin(), candidates.end());
     for (const auto& [cost, e, f] : candidates) {
       if (partner_[e] != kNoEnd || partner_[f] != kNoEnd) continue;
@@ -104,20 +108,35 @@ class Bridges {
     }
   }
 
-  std::vector<LineChain> joined() const {
-    std::vector<LineChain> result;
+  // Takes the lines out.
+  std::vector<ScreenChain> joined() {
+    std::vector<ScreenChain> result;
     std::vector<bool> used(lines_.size(), false);
+    const auto add = [&](End e) {
+      if (used[e / 2]) return;
+      if (partner_[e] == kNoEnd && partner_[e ^ 1u] == kNoEnd) {
+        used[e / 2] = true;
+        result.push_back(std::move(lines_[e / 2]));
+        return;
+      }
+      for (ScreenChain& line : onScreen(walk(e, used), projection_)) {
+        result.push_back(std::move(line));
+      }
+    };
     for (End e = 0; e < partner_.size(); ++e) {
-      if (!used[e / 2] && partner_[e] == kNoEnd) result.push_back(walk(e, used));
+      if (partner_[e] == kNoEnd) add(e);
     }
-    for (End e = 0; e < partner_.size(); e += 2) {  // what is left is round
-      if (!used[e / 2]) result.push_back(walk(e, used));
-    }
+    for (End e = 0; e < partner_.size(); e += 2) add(e);  // what is left is round
     return result;
   }
 
  private:
   using Cell = std::pair<std::int64_t, std::int64_t>;
+  struct Place {
+    Cell cell;
+    Vector2d screen;
+    End end;
+  };
 
   double overlap() const { return kOverlapTimes * gap_; }
   double cell() const { return overlap() + kBesidePx; }
@@ -126,17 +145,18 @@ class Bridges {
             static_cast<std::int64_t>(std::floor(p.y() / cell()))};
   }
 
-  void addCandidates(End e, const Cell& cell,
+  void addCandidates(const Place& place,
                      std::vector<std::tuple<double, End, End>>& candidates) const {
-    for (std::int64_t dx = -1; dx <= 1; ++dx) {
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        const auto found = cells_.find({cell.first + dx, cell.second + dy});
-        if (found == cells_.end()) continue;
-        for (const End f : found->second) {
-          if (f <= e) continue;
-          const double cost = costOf(e, f);
-          if (cost >= 0.0) candidates.emplace_back(cost, e, f);
-        }
+    const auto& [x, y] = place.cell;
+    for (std::int64_t column = x - 1; column <= x + 1; ++column) {
+      auto near = std::lower_bound(places_.begin(), places_.end(), Cell{column, y - 1},
+                                   [](const Place& p, const Cell& cell) { return p.cell < cell; });
+      for (; near != places_.end() && near->cell <= Cell{column, y + 1}; ++near) {
+        // Most pairs are too far apart.
+        if (near->end <= place.end || (near->screen - place.screen).squaredNorm() > reach2_)
+          continue;
+        const double cost = costOf(place.end, near->end);
+        if (cost >= 0.0) candidates.emplace_back(cost, place.end, near->end);
       }
     }
   }
@@ -167,13 +187,13 @@ class Bridges {
   // Negative if the ends do not belong together.
   double costOf(End e, End f) const {
     const Tip &a = tips_[e], &b = tips_[f];
+    const double turn = -a.outward.dot(b.outward);
+    if (turn < kLeastTurnCosine) return -1.0;
     const double size = (b.screen - a.screen).norm(), shorter = std::min(a.length, b.length);
     if (lines_[e / 2].chain.level != lines_[f / 2].chain.level) return -1.0;
     // Its own ends: only if that makes a loop and not a hairpin.
     if (e / 2 == f / 2 && (lines_[e / 2].screen.size() < 3 || a.length < 4.0 * gap_)) return -1.0;
     if ((b.at - a.at).norm() * pxPerUnit_ > kMostSlant * std::max(size, kNoGapPx)) return -1.0;
-    const double turn = -a.outward.dot(b.outward);
-    if (turn < kLeastTurnCosine) return -1.0;
     const Vector2d gap = b.screen - a.screen;
     if (size <= std::min(gap_, shorter) &&
         (size <= kNoGapPx || (a.outward.dot(gap) >= kLeastCosine * size &&
@@ -228,12 +248,14 @@ class Bridges {
     add(chain.standsOut, next.standsOut);
   }
 
-  const std::vector<ScreenChain>& lines_;
+  std::vector<ScreenChain> lines_;
+  const Projection& projection_;
   double pxPerUnit_, gap_;
+  double reach2_;  // squared, farther than what may be joined
   std::vector<Tip> tips_;
   std::vector<End> partner_;
-  std::vector<double> cut_;  // from each end, px
-  std::map<Cell, std::vector<End>> cells_;
+  std::vector<double> cut_;    // from each end, px
+  std::vector<Place> places_;  // of open ends, by cell
 };
 
 }  // namespace
@@ -255,13 +277,7 @@ bool isBridged(LineFamily family) {
 std::vector<ScreenChain> bridged(std::vector<ScreenChain> lines, const Projection& projection,
                                  double largestGapPx) {
   if (lines.empty() || !(largestGapPx > 0.0)) return lines;
-  std::vector<ScreenChain> result;
-  for (LineChain& chain : Bridges(lines, projection.pxPerUnit, largestGapPx).joined()) {
-    for (ScreenChain& line : onScreen(std::move(chain), projection)) {
-      result.push_back(std::move(line));
-    }
-  }
-  return result;
+  return Bridges(std::move(lines), projection, largestGapPx).joined();
 }
 
 }  // namespace flatland

@@ -2,8 +2,7 @@
 #include "core3d/draw/chains.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
+#include <numeric>
 #include <utility>
 
 namespace flatland {
@@ -20,66 +19,86 @@ constexpr float kLeastCosine = 0.5f;
 using End = std::uint32_t;  // 2 * piece for its low node, 2 * piece + 1 for its high one
 constexpr End kNoEnd = 0xffffffff;
 
+// Number of a node of a level. They are in the order of levels, then of nodes.
+using NodeId = std::uint32_t;
+
 // A segment turned so that its nodes are in order.
 struct Piece {
-  std::uint32_t level;
-  LineEnd low, high;
-  std::uint32_t triangle;
-  bool standsOut;
+  NodeId low, high;
+  const LineSegment* segment;
+  bool turned;
 
-  const LineEnd& end(End e) const { return e % 2 == 0 ? low : high; }
+  NodeId node(End e) const { return e % 2 == 0 ? low : high; }
+  const LineEnd& end(End e) const { return (e % 2 == 1) != turned ? segment->b : segment->a; }
 };
-
-using NodeOfLevel = std::pair<std::uint32_t, LineNode>;
 
 // Nodes at one place, as a forest that points to smaller nodes; paths are halved as they are gone.
 class MergedNodes {
  public:
-  LineNode find(std::uint32_t level, LineNode node) {
-    if (parent_.empty()) return node;
-    for (auto at = parent_.find({level, node}); at != parent_.end();) {
-      const auto above = parent_.find({level, at->second});
-      if (above == parent_.end()) return at->second;
-      at->second = above->second;
-      node = above->second;
-      at = parent_.find({level, node});
-    }
+  explicit MergedNodes(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), NodeId{0});
+  }
+  NodeId find(NodeId node) {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
     return node;
   }
-  void merge(std::uint32_t level, LineNode a, LineNode b) {
-    a = find(level, a);
-    b = find(level, b);
-    if (a != b) parent_[{level, std::max(a, b)}] = std::min(a, b);
+  void merge(NodeId a, NodeId b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
   }
 
  private:
-  std::map<NodeOfLevel, LineNode> parent_;
+  std::vector<NodeId> parent_;
 };
 
 bool hasLength(const LineSegment& s) { return (s.a.at - s.b.at).norm() > kSamePlace; }
 
-std::vector<Piece> piecesOf(std::span<const LineSegment> segments) {
-  MergedNodes merged;
+// Of the two ends of each segment.
+std::vector<NodeId> nodesOf(std::span<const LineSegment> segments) {
+  struct Place {
+    LineNode node;
+    std::uint32_t level, end;
+  };
+  std::vector<Place> places;
+  places.reserve(2 * segments.size());
   for (const LineSegment& s : segments) {
-    if (!hasLength(s)) merged.merge(s.level, s.a.node, s.b.node);
+    for (const LineEnd* end : {&s.a, &s.b}) {
+      places.push_back({end->node, s.level, static_cast<std::uint32_t>(places.size())});
+    }
+  }
+  std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
+    return p.level != q.level ? p.level < q.level : p.node < q.node;
+  });
+  std::vector<NodeId> nodes(places.size());
+  NodeId id = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool next =
+        i > 0 && (places[i].node != places[i - 1].node || places[i].level != places[i - 1].level);
+    if (next) ++id;
+    nodes[places[i].end] = id;
+  }
+  return nodes;
+}
+
+std::vector<Piece> piecesOf(std::span<const LineSegment> segments) {
+  const std::vector<NodeId> nodes = nodesOf(segments);
+  MergedNodes merged(nodes.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (!hasLength(segments[i])) merged.merge(nodes[2 * i], nodes[2 * i + 1]);
   }
   std::vector<Piece> pieces;
   pieces.reserve(segments.size());
-  for (const LineSegment& s : segments) {
-    Piece piece{s.level, s.a, s.b, s.triangle, s.standsOut};
-    piece.low.node = merged.find(s.level, s.a.node);
-    piece.high.node = merged.find(s.level, s.b.node);
-    if (piece.low.node == piece.high.node) continue;
-    if (piece.high.node < piece.low.node) std::swap(piece.low, piece.high);
-    pieces.push_back(piece);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const NodeId a = merged.find(nodes[2 * i]), b = merged.find(nodes[2 * i + 1]);
+    if (a != b) pieces.push_back({std::min(a, b), std::max(a, b), &segments[i], b < a});
   }
-  const auto nodes = [](const Piece& p) { return std::tuple(p.level, p.low.node, p.high.node); };
-  std::sort(pieces.begin(), pieces.end(), [&nodes](const Piece& p, const Piece& q) {
-    return std::tuple(nodes(p), p.triangle) < std::tuple(nodes(q), q.triangle);
+  const auto key = [](const Piece& p) { return std::uint64_t{p.low} << 32 | p.high; };
+  std::sort(pieces.begin(), pieces.end(), [&key](const Piece& p, const Piece& q) {
+    return key(p) != key(q) ? key(p) < key(q) : p.segment->triangle < q.segment->triangle;
   });
-  const auto end =
-      std::unique(pieces.begin(), pieces.end(),
-                  [&nodes](const Piece& p, const Piece& q) { return nodes(p) == nodes(q); });
+  const auto end = std::unique(pieces.begin(), pieces.end(),
+                               [&key](const Piece& p, const Piece& q) { return key(p) == key(q); });
   pieces.erase(end, pieces.end());
   return pieces;
 }
@@ -91,23 +110,21 @@ class Joiner {
         pieces_(std::move(pieces)),
         partner_(2 * pieces_.size(), kNoEnd),
         used_(pieces_.size(), false) {
-    for (End e = 0; e < partner_.size(); ++e) ends_.push_back(e);
-    std::sort(ends_.begin(), ends_.end(),
-              [this](End e, End f) { return std::tuple(keyOf(e), e) < std::tuple(keyOf(f), f); });
+    sortEnds();
     for (std::size_t first = 0; first < ends_.size();) {
       std::size_t last = first + 1;
-      while (last < ends_.size() && keyOf(ends_[last]) == keyOf(ends_[first])) ++last;
+      while (last < ends_.size() && nodeOf(ends_[last]) == nodeOf(ends_[first])) ++last;
       pair(std::span(ends_).subspan(first, last - first));
       first = last;
     }
   }
 
   std::vector<LineChain> chains() {
-    std::vector<std::pair<NodeOfLevel, LineChain>> found;
+    std::vector<std::pair<NodeId, LineChain>> found;
     const auto add = [&](End start, bool closed) {
       LineChain chain = walk(start, closed);
       if (chain.points.size() >= (closed ? 3u : 2u)) {
-        found.emplace_back(keyOf(start), std::move(chain));
+        found.emplace_back(nodeOf(start), std::move(chain));
       }
     };
     for (const End e : ends_) {
@@ -126,7 +143,18 @@ class Joiner {
 
  private:
   const LineEnd& endOf(End e) const { return pieces_[e / 2].end(e); }
-  NodeOfLevel keyOf(End e) const { return {pieces_[e / 2].level, endOf(e).node}; }
+  NodeId nodeOf(End e) const { return pieces_[e / 2].node(e); }
+
+  // By node, then by number.
+  void sortEnds() {
+    NodeId most = 0;
+    for (const Piece& piece : pieces_) most = std::max(most, piece.high);
+    std::vector<std::uint32_t> before(most + 2, 0);  // how many ends there are at smaller nodes
+    for (End e = 0; e < partner_.size(); ++e) ++before[nodeOf(e) + 1];
+    std::partial_sum(before.begin(), before.end(), before.begin());
+    ends_.resize(partner_.size());
+    for (End e = 0; e < partner_.size(); ++e) ends_[before[nodeOf(e)]++] = e;
+  }
 
   void pair(std::span<const End> ends) {
     if (ends.size() == 2) {
@@ -162,15 +190,15 @@ class Joiner {
   LineChain walk(End start, bool closed) {
     LineChain chain;
     chain.family = family_;
-    chain.level = pieces_[start / 2].level;
+    chain.level = pieces_[start / 2].segment->level;
     chain.closed = closed;
     chain.points.push_back(endOf(start).at);
     chain.strength.push_back(endOf(start).strength);
     for (End e = start; e != kNoEnd && !used_[e / 2]; e = partner_[e ^ 1u]) {
       used_[e / 2] = true;
       chain.strength.back() = std::max(chain.strength.back(), endOf(e).strength);
-      chain.triangles.push_back(pieces_[e / 2].triangle);
-      chain.standsOut.push_back(pieces_[e / 2].standsOut);
+      chain.triangles.push_back(pieces_[e / 2].segment->triangle);
+      chain.standsOut.push_back(pieces_[e / 2].segment->standsOut);
       chain.points.push_back(endOf(e ^ 1u).at);
       chain.strength.push_back(endOf(e ^ 1u).strength);
     }
@@ -186,7 +214,7 @@ class Joiner {
   std::vector<Piece> pieces_;
   std::vector<End> partner_;  // the end that the line goes on with
   std::vector<bool> used_;
-  std::vector<End> ends_;  // by level and node
+  std::vector<End> ends_;  // by node
 };
 
 }  // namespace

@@ -77,6 +77,8 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
     const Projection projection = orbitProjection(pane.surface.camera, surface->ballRadius,
                                                   wanted.aspect * kHeightPx, kHeightPx);
     const SurfaceView& view = seen->view = projection.view();
+    if (!finder) finder.emplace(*surface->mesh, *surface->fields);
+    if (wanted.sight && !sight) sight.emplace(*surface->mesh, *surface->fields);
     const auto start = Clock::now();
     seen->found = find(wanted.lines);
     const StrokeLines strokes = strokesOf(*seen->found, wanted.lines, wanted.sight, projection);
@@ -122,7 +124,6 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
     if (pieces && asked == piecesOf) return pieces;
     LineOptions options = lineOptionsOf(lines.pane);
     if (!options.unfiltered) options = linesToFind(options, strokeOptionsOf(lines));
-    if (!finder) finder.emplace(*surface->mesh, *surface->fields);
     const SurfaceView view = orbitView(lines.pane.surface.camera, surface->ballRadius);
     pieces = std::make_shared<const FeatureLines>(finder->find(view, options));
     piecesOf = std::move(asked);
@@ -132,7 +133,6 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
   StrokeLines strokesOf(const FeatureLines& found, const Lines& lines, bool withSight,
                         const Projection& projection) {
     if (lines.pane.surface.unfiltered) return {found, {}};
-    if (withSight && !sight) sight.emplace(*surface->mesh, *surface->fields);
     return strokeLines(found, withSight ? &*sight : nullptr, projection, lineOptionsOf(lines.pane),
                        strokeOptionsOf(lines), lines.factor);
   }
@@ -156,7 +156,6 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
     wanted.threshold[static_cast<std::size_t>(ApparentRidges)] = 0.0;
     wanted.derivative = asked.derivative;
     const std::lock_guard lock(turn);
-    if (!finder) finder.emplace(*surface->mesh, *surface->fields);
     return std::make_shared<const FeatureLines>(finder->find(view, wanted));
   }
 
@@ -177,7 +176,7 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
   std::mutex turn;
   std::shared_ptr<const LoadedSurface> surface;
   std::optional<LineFinder> finder;            ///< made by the first search
-  std::optional<flatland::Sight> sight;        ///< likewise
+  std::optional<flatland::Sight> sight;        ///< by the first that asks what is hidden
   std::optional<double> tolerance;             ///< likewise
   std::shared_ptr<const FeatureLines> pieces;  ///< last, for `piecesOf`
   Lines piecesOf;
