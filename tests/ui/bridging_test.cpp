@@ -90,6 +90,51 @@ class BridgingTest : public QObject, private BridgingWindow {
     QVERIFY(!d.scene().surface && !source().surface() && !bridge().view());
   }
 
+  void thePickStaysWhereItIsOnOtherMeshes() {
+    WindowDriver& d = *driver_;
+    extrude();
+    SurfacePick& pick = d.window().surfaceModels().pick;
+    const auto placeInFile = [&] {
+      const TriangleMesh& mesh = *source().surface()->mesh;
+      return Eigen::Vector3d(mesh.origin + mesh.unit * pick.hit()->at);
+    };
+    const auto first = source().surface();
+    pick.pickTriangle(static_cast<std::uint32_t>(first->mesh->triangleCount() / 3));
+    const Eigen::Vector3d picked = placeInFile();
+    SurfaceSetting coarser = *d.scene().surface;
+    coarser.swept->cells /= 2;
+    d.document().push(std::make_unique<SetSurface>(d.document(), coarser, "coarser"));
+    QVERIFY(quiet());
+    QVERIFY(source().surface()->mesh != first->mesh);
+    QVERIFY(pick.hit());
+    // Facets are off the curve by an eighth of their square over its radius.
+    QVERIFY2((placeInFile() - picked).norm() < 0.01 * curveSpan(),
+             qPrintable(QString::number((placeInFile() - picked).norm())));
+    // Dragged, the curve takes it along; another surface does not.
+    d.drag(d.atPoint(2), d.atPoint(2) + QPoint(12, 8));
+    QVERIFY(quiet());
+    QVERIFY(pick.hit());
+    QVERIFY(pick.hit()->triangle < source().surface()->mesh->triangleCount());
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    QVERIFY(!pick.hit());
+  }
+
+  void aNumberIsThatOfTheMeshAskedFor() {
+    WindowDriver& d = *driver_;
+    SurfacePick& pick = d.window().surfaceModels().pick;
+    std::vector<int> cells;  // of the meshes that are shown
+    connect(&source(), &SurfaceSource::changed, &source(), [&] {
+      if (source().surface()) cells.push_back(source().surface()->swept->cells);
+    });
+    pick.pickWhenRead(true, 2500);
+    extrude();
+    QVERIFY(cells.front() < d.scene().surface->swept->cells);  // a coarse one came first
+    QCOMPARE(cells.back(), d.scene().surface->swept->cells);
+    QVERIFY(pick.hit());
+    QCOMPARE(pick.hit()->triangle, 2500u);
+  }
+
   void turningOneTurnsTheOther() {
     extrude();
     WindowDriver& d = *driver_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/surface_pick.h"
 
+#include "core3d/lines/nearest_place.h"
+
 namespace flatland::ui {
 
 namespace {
@@ -12,6 +14,13 @@ SurfaceHit placeIn(const TriangleMesh& mesh, std::uint32_t triangle,
     hit.at += weights[k] * mesh.position(mesh.triangles[triangle][k]).cast<double>();
   }
   return hit;
+}
+
+/// The place of a mesh nearest to one of another mesh of the same file.
+std::optional<SurfaceHit> movedTo(const TriangleMesh& mesh, const TriangleMesh& from,
+                                  const SurfaceHit& hit) {
+  const Eigen::Vector3d inFile = from.origin + from.unit * hit.at;
+  return nearestPlace(mesh, (inFile - mesh.origin) / mesh.unit);
 }
 
 bool same(const SurfaceHit& a, const SurfaceHit& b) {
@@ -49,7 +58,7 @@ void SurfacePick::pickTriangle(std::uint32_t triangle) {
 }
 
 void SurfacePick::pickWhenRead(bool isTriangle, std::uint32_t number) {
-  if (!surface()) {
+  if (!surface() || source_.isPreview()) {
     wish_ = Wish{isTriangle, number};
   } else if (isTriangle) {
     pickTriangle(number);
@@ -59,13 +68,17 @@ void SurfacePick::pickWhenRead(bool isTriangle, std::uint32_t number) {
 }
 
 void SurfacePick::follow() {
-  if (wish_ && surface()) {
+  if (wish_ && surface() && !source_.isPreview()) {
     const Wish wish = *wish_;
     return pickWhenRead(wish.isTriangle, wish.number);
   }
   if (!hit_ || surface() == seen_) return;
   // Fields come later than their mesh, or anew; another mesh has other triangles.
-  if (!surface() || surface()->mesh != seen_->mesh) hit_.reset();
+  if (!surface() || !isSameSurface(*surface(), *seen_)) {
+    hit_.reset();
+  } else if (surface()->mesh != seen_->mesh) {
+    hit_ = movedTo(*surface()->mesh, *seen_->mesh, *hit_);
+  }
   seen_ = hit_ ? surface() : nullptr;
   emit changed();
 }

@@ -12,7 +12,8 @@ namespace flatland::ui {
 
 /// The place of the surface that a person picked, by a click on its picture or by number: what the
 /// derivation, the triangle and the cutting plane are about. It stays where it is on the surface
-/// while the camera moves and the fields are estimated anew, and goes with its mesh.
+/// while the camera moves and the fields are estimated anew, and goes with its mesh. Where a swept
+/// surface is meshed anew it stays as near as the other mesh comes to it.
 class SurfacePick : public QObject {
   Q_OBJECT
 
@@ -36,7 +37,8 @@ class SurfacePick : public QObject {
   void pickVertex(std::uint32_t vertex);
   void pickTriangle(std::uint32_t triangle);
 
-  /// The same as soon as a surface is there that has been read.
+  /// The same as soon as a surface is there that has been read; of a swept one, on the mesh that is
+  /// asked for: numbers of a coarser one say nothing.
   void pickWhenRead(bool isTriangle, std::uint32_t number);
 
  signals:

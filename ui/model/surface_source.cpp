@@ -96,6 +96,12 @@ void SurfaceSource::updateSwept() {
   }
 }
 
+bool SurfaceSource::isPreview() const {
+  const auto& setting = document_.scene().surface;
+  return surface_ && surface_->swept && setting && setting->swept &&
+         surface_->swept->cells < setting->swept->cells;
+}
+
 void SurfaceSource::start(const std::string& reference, bool isNew) {
   if (!isNew) {
     wanted_ = reference;

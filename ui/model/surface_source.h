@@ -36,6 +36,8 @@ class SurfaceSource : public QObject {
   bool isStale() const { return job_.isRunning() || sweep_.isStale(); }
   /// True while the mesh is still being read, and not only its fields.
   bool isReading() const { return reading_; }
+  /// True if surface() is a coarse mesh of a swept surface, shown until the one asked for is made.
+  bool isPreview() const;
 
   void setActive(bool active);
 
