@@ -169,6 +169,22 @@ class SurfaceTeachingTest : public QObject {
     QVERIFY(!pick().hit());
   }
 
+  void aLessonAboutCurvesHasNoEmptyPanel() {
+    d().trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    d().window().lessons().openFile(":/lesson/lessons/offset.md");
+    QVERIFY(d().window().lesson().isOpen());
+    QVERIFY(!d().scene().surface);
+    QVERIFY(d().window().layouts().current() == Layouts::Kind::Work);
+    QVERIFY(!d().window().surfaceArea().isVisible());
+    QVERIFY(d().child<QDockWidget>("lesson").isVisible());
+    QTest::mouseClick(&d().child<QToolButton>("lesson.leave"), Qt::LeftButton);
+    QVERIFY(quiet());
+    QVERIFY(d().scene().surface);
+    QVERIFY(d().window().layouts().current() == Layouts::Kind::Surface);
+    QVERIFY(d().window().surfaceArea().isVisible());
+  }
+
  private:
   WindowDriver& d() { return *driver_; }
   QWidget& surface() { return *d().window().surfaceArea().canvas(); }

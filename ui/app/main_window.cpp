@@ -179,13 +179,6 @@ void MainWindow::connectParts() {
     if (projector && !lesson_.isOpen()) docks_->hide("lesson");
   };
   connect(&lesson_, &LessonModel::changed, this, hideStrip);
-  // A lesson about a surface ends where it began.
-  connect(&lesson_, &LessonModel::changed, this, [this] {
-    const bool surfaceLeft = !lesson_.isOpen() && !document_.scene().surface;
-    if (surfaceLeft && layouts_->current() == Layouts::Kind::Surface) {
-      layouts_->use(Layouts::Kind::Work);
-    }
-  });
   connect(layouts_, &Layouts::changed, this, [this, showStrip, hideStrip] {
     hideStrip();
     const bool hidesIt = layouts_->current() == Layouts::Kind::Projector ||
@@ -242,7 +235,13 @@ void MainWindow::connectSurface() {
   connect(bridgeController_, &BridgeController::said, status_, &StatusLine::say);
   connect(&document_, &Document::changed, this, [this, showSurface](const Change& change) {
     if (change.touchesScene() || change.touchesSurface()) showCentre();
-    if (change.what == Change::What::Scene && document_.scene().surface) showSurface();
+    if (change.what != Change::What::Scene) return;
+    if (document_.scene().surface) {
+      showSurface();
+    } else if (layouts_->current() == Layouts::Kind::Surface) {
+      // What was opened is flat: an empty panel would take its place.
+      layouts_->use(Layouts::Kind::Work);
+    }
   });
 }
 
