@@ -126,6 +126,8 @@ class SurfaceTest : public QObject {
     const int steps = d.document().undoStack().count();
     const SurfaceCamera start = camera();
     drag({200, 200}, {260, 200});
+    // Esc has nothing to take back any more.
+    QVERIFY(!d.child<QLabel>("status.hint").text().contains("Esc"));
     QVERIFY((camera().towards - start.towards).norm() > 0.1);
     QCOMPARE(camera().centre, start.centre);
     const SurfaceCamera turned = camera();

@@ -153,8 +153,7 @@ bool SurfaceInput::move(const QMouseEvent& event) {
   switch (drag_) {
     case Drag::None:
       emit pointedAt(at);
-      emit hint(
-          tr("Drag: turn (Shift: move). Click: pick. Wheel: zoom. 1 3 7: views. 5: perspective."));
+      hintAtKeys();
       return true;
     case Drag::Orbit:
       setCamera(orbited(camera(), by, canvas_.height()));
@@ -196,6 +195,12 @@ void SurfaceInput::endDrag() {
   drag_ = Drag::None;
   before_.reset();
   canvas_.unsetCursor();
+  hintAtKeys();
+}
+
+void SurfaceInput::hintAtKeys() {
+  emit hint(
+      tr("Drag: turn (Shift: move). Click: pick. Wheel: zoom. 1 3 7: views. 5: perspective."));
 }
 
 bool SurfaceInput::wheel(const QWheelEvent& event) {

@@ -45,6 +45,7 @@ class SurfaceInput : public QObject {
   bool key(const QKeyEvent& event);
   void release(const QMouseEvent& event);
   void endDrag();
+  void hintAtKeys();
   void pickAt(const QPointF& px);
   void setCamera(const SurfaceCamera& camera);
   const SurfaceCamera& camera() const { return models_.camera(); }
