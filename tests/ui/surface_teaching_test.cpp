@@ -100,6 +100,17 @@ class SurfaceTeachingTest : public QObject {
     pick().pickTriangle(329);
     QTRY_VERIFY2_WITH_TIMEOUT(words.text().contains("below the threshold 2"),
                               qPrintable(words.text()), kPatienceMs);
+    // All of the ring is on the widget, however flat it is: nothing meets its border.
+    for (const std::uint32_t other : {329u, 861u, 400u}) {
+      pick().pickTriangle(other);
+      d().settle();
+      view.resize(380, 150);
+      const QImage image = view.grab().toImage();
+      const QRgb ground = image.pixel(0, 0);
+      for (int x = 0; x < image.width(); ++x) {
+        QVERIFY(image.pixel(x, 0) == ground && image.pixel(x, image.height() - 1) == ground);
+      }
+    }
   }
 
   void theTriangleIsThatOfThePicture() {

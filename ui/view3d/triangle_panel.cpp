@@ -165,8 +165,10 @@ void TrianglePanel::refresh() {
 }
 
 QString TrianglePanel::numbers(const TriangleLesson& lesson) const {
+  // Room beside a number, so that none and no head runs into the next.
   QString rows = QStringLiteral(
-                     "<tr><td></td><td>λ&nbsp;</td><td>½ D λ&nbsp;</td><td>%1&nbsp;"
+                     "<tr><td></td><td>λ&nbsp;&nbsp;&nbsp;</"
+                     "td><td>½&nbsp;D&nbsp;λ&nbsp;&nbsp;&nbsp;</td><td>%1&nbsp;&nbsp;&nbsp;"
                      "</td><td>%2</td></tr>")
                      .arg(tr("by neighbours"), tr("cos"));
   for (std::size_t k = 0; k < 3; ++k) {
@@ -178,13 +180,14 @@ QString TrianglePanel::numbers(const TriangleLesson& lesson) const {
       }
     }
     rows += QStringLiteral(
-                "<tr><td>%1&nbsp;</td><td>%2&nbsp;</td><td>%3&nbsp;</td><td>%4&nbsp;"
+                "<tr><td>%1&nbsp;&nbsp;&nbsp;</td><td>%2&nbsp;&nbsp;&nbsp;</"
+                "td><td>%3&nbsp;&nbsp;&nbsp;</td><td>%4&nbsp;&nbsp;&nbsp;"
                 "</td><td>%5</td></tr>")
                 .arg(QString(QChar('A' + static_cast<int>(k))) + (corner.flipped ? "↔" : ""),
                      numberForPeople(corner.lambda), numberForPeople(corner.derivative),
                      numberForPeople(corner.ringDerivative), cosines.join(", "));
   }
-  return "<table cellspacing='0'>" + rows + "</table>";
+  return "<table cellspacing='0' cellpadding='1'>" + rows + "</table>";
 }
 
 }  // namespace flatland::ui

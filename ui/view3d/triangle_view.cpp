@@ -23,6 +23,8 @@ using Lesson = TriangleLesson;
 constexpr double kTriangleShare = 0.52;  ///< of the smaller side: there is room for arrows
 constexpr double kArrowShare = 0.2;      ///< of the same
 constexpr double kDotPx = 3.5;
+constexpr double kMarginPx = 4.0;
+constexpr double kLeastShare = 0.3;  ///< of the usual scale, where neighbours are far away
 
 }  // namespace
 
@@ -101,6 +103,7 @@ void TriangleView::paintEvent(QPaintEvent*) {
   sheet.scale = kTriangleShare * 0.72 * side / reach;
   sheet.arrow = kArrowShare * side;
   sheet.centre = QPointF(0.5 * width(), 0.5 * height());
+  if (isShown(TriangleStage::Ring)) fitRing(sheet);
   painter.setPen(QPen(sheet.faint, 1.5 * sheet.ui));
   painter.drawPolygon(QPolygonF{sheet.at(a), sheet.at(b), sheet.at(c)});
   if (isShown(TriangleStage::Ring)) paintRing(painter, sheet);
@@ -116,6 +119,20 @@ void TriangleView::paintEvent(QPaintEvent*) {
     const QRectF box(at.x() - 20.0, at.y() - 20.0, 40.0, 40.0);
     painter.drawText(box, Qt::AlignCenter, QString(QChar('A' + static_cast<int>(k))));
   }
+}
+
+/// Smaller, as far as it helps, so that the places of the ring are on the widget.
+void TriangleView::fitRing(Sheet& sheet) const {
+  const double margin = (kDotPx + kMarginPx) * sheet.ui, usual = sheet.scale;
+  for (const Lesson::Corner& corner : lesson_->corners) {
+    for (const Vector3d& w : corner.ring) {
+      const QPointF d = sheet.at(w) - sheet.centre;
+      const double xShare = (sheet.centre.x() - margin) / std::abs(d.x());
+      const double yShare = (sheet.centre.y() - margin) / std::abs(d.y());
+      sheet.scale *= std::min({xShare, yShare, 1.0});  // an infinite share is none
+    }
+  }
+  sheet.scale = std::max(sheet.scale, kLeastShare * usual);
 }
 
 void TriangleView::paintRing(QPainter& painter, const Sheet& sheet) const {

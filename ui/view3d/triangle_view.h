@@ -37,6 +37,7 @@ class TriangleView : public QWidget {
 
  private:
   struct Sheet;
+  void fitRing(Sheet& sheet) const;
   void paintRing(QPainter& painter, const Sheet& sheet) const;
   void paintDirections(QPainter& painter, const Sheet& sheet) const;
   void paintCrossing(QPainter& painter, const Sheet& sheet) const;
