@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -102,6 +103,39 @@ class SurfaceTest : public QObject {
     QVERIFY(!d.canvas().isVisible());
     d.window().layouts().use(Layouts::Kind::Work);
     QVERIFY(d.canvas().isVisible());
+  }
+
+  void thePanelOfLinesFitsItsDock() {
+    WindowDriver& d = *driver_;
+    d.window().resize(1280, 800);
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    auto& width = d.child<QDoubleSpinBox>("families.apparent-ridges.width");
+    auto& slider = d.child<QSlider>("families.apparent-ridges.slider");
+    auto& creases = d.child<QDoubleSpinBox>("families.creases.threshold");
+    const auto fits = [&] {
+      d.window().docks().show("families");
+      d.settle();
+      const QWidget* panel = d.window().findChild<QWidget*>("families-panel");
+      for (const auto* field : {&width, &creases}) {
+        if (!field->isVisible()) continue;
+        // A text edit keeps 2 px beside its text.
+        const auto* edit = field->findChild<QLineEdit*>();
+        if (edit->contentsRect().width() <
+            edit->fontMetrics().horizontalAdvance(edit->text()) + 4) {
+          return false;
+        }
+      }
+      return panel->width() <= panel->parentWidget()->width();
+    };
+    QVERIFY(fits());
+    QVERIFY(width.isVisible() && slider.isVisible());
+    d.canvasKey(Qt::Key_F11);
+    QVERIFY(fits());
+    QVERIFY(creases.isVisible() && !slider.isVisible());
+    d.canvasKey(Qt::Key_F11);
+    QVERIFY(fits());
+    QVERIFY(slider.isVisible());
   }
 
   void aBadMeshIsToldInTheOnePlace() {

@@ -31,8 +31,10 @@ constexpr double kDecades = 4.0, kLeast = 0.01;
 constexpr double kMostThreshold = 1e6, kMostWidth = 12.0;
 constexpr int kIconPx = 16;
 constexpr int kMarginPx = 6;
-// In px: a row of six columns has room in the dock, in German too.
-constexpr int kSliderWidth = 32, kThresholdWidth = 52, kWidthWidth = 36;
+constexpr int kThresholds = 1, kColours = 3, kWidths = 4, kFades = 5;  ///< columns
+constexpr int kSpacingPx = 4;
+constexpr int kSliderWidth = 32;   ///< in px, at least: a row has room in the dock, in German too
+constexpr int kFieldFramePx = 16;  ///< around the digits of a field
 
 double thresholdAt(int slider) {
   if (slider <= 0) return 0.0;
@@ -45,6 +47,11 @@ double thresholdAt(int slider) {
 int sliderAt(double threshold) {
   if (!(threshold > kLeast)) return 0;
   return qBound(1, qRound(kSliderEnd * std::log10(threshold / kLeast) / kDecades), kSliderEnd);
+}
+
+/// Of a part of a row; that of the slider is set, those of others are in their hints.
+int leastWidth(const QWidget& part) {
+  return part.minimumWidth() > 0 ? part.minimumWidth() : part.minimumSizeHint().width();
 }
 
 bool hasThreshold(LineFamily family) { return usualFamily(family).threshold > 0.0; }
@@ -69,23 +76,34 @@ FamiliesPanel::FamiliesPanel(const SurfaceModels& models, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kMarginPx, kMarginPx, kMarginPx, kMarginPx);
   auto* grid = new QGridLayout;
-  grid->setHorizontalSpacing(4);
+  grid->setHorizontalSpacing(kSpacingPx);
   grid->setVerticalSpacing(1);
-  const QString heads[] = {tr("Lines"), tr("Threshold"), {}, {}, tr("Width"), tr("Fade")};
-  for (int i = 0; i < 6; ++i) grid->addWidget(new QLabel(heads[i], this), 0, i);
+  const QString heads[kColumns] = {tr("Lines"), tr("Threshold"), {}, {}, tr("Width"), tr("Fade")};
+  for (int i = 0; i < kColumns; ++i) {
+    if (heads[i].isEmpty()) continue;
+    heads_[static_cast<std::size_t>(i)] = new QLabel(heads[i], this);
+    grid->addWidget(heads_[static_cast<std::size_t>(i)], 0, i, 1,
+                    i == kThresholds ? 2 : 1);  // above slider and field
+  }
   grid->setColumnStretch(1, 1);
   int line = 1;
   for (const LineFamily family : allLineFamilies()) {
     rows_[static_cast<std::size_t>(family)] = makeRow(family, *grid, line++);
   }
   layout->addLayout(grid);
-  layout->addWidget(makeCommon());
+  common_ = makeCommon();
+  layout->addWidget(common_);
   layout->addStretch(1);
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (change.touchesSurface()) showSetting();
   });
   connect(&models_.views, &SurfaceViews::activeChanged, this, &FamiliesPanel::showSetting);
+  fitFields();
   showSetting();
+}
+
+std::array<QWidget*, FamiliesPanel::kColumns> FamiliesPanel::Row::parts() const {
+  return {on, slider, threshold, colour, width, fade};
 }
 
 FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, int line) {
@@ -114,7 +132,6 @@ FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, 
   row.threshold->setDecimals(2);
   row.threshold->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   row.threshold->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  row.threshold->setMaximumWidth(kThresholdWidth);
   row.threshold->setKeyboardTracking(false);
   row.threshold->setAccessibleName(row.slider->accessibleName());
   row.threshold->setToolTip(row.slider->toolTip());
@@ -122,6 +139,7 @@ FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, 
     edit(family, [value](SurfaceFamily& look) { look.threshold = value; });
   });
   if (family == LineFamily::Creases) {
+    row.threshold->setDecimals(1);
     row.threshold->setSuffix(QStringLiteral("°"));
     row.threshold->setToolTip(tr("Smallest angle between the two triangles of an edge"));
     row.slider->setToolTip(row.threshold->toolTip());
@@ -142,7 +160,6 @@ FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, 
   row.width->setSingleStep(0.2);
   row.width->setKeyboardTracking(false);
   row.width->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  row.width->setMaximumWidth(kWidthWidth);
   row.width->setAccessibleName(tr("Width of %1").arg(title));
   row.width->setToolTip(tr("Width in pixels"));
   connect(row.width, &QDoubleSpinBox::valueChanged, this, [this, family](double value) {
@@ -155,8 +172,7 @@ FamiliesPanel::Row FamiliesPanel::makeRow(LineFamily family, QGridLayout& grid, 
   row.fade->setVisible(hasThreshold(family));
   connect(row.fade, &QCheckBox::toggled, this,
           [this, family](bool on) { edit(family, [on](SurfaceFamily& look) { look.fade = on; }); });
-  QWidget* parts[] = {row.on, row.slider, row.threshold, row.colour, row.width, row.fade};
-  for (int i = 0; i < 6; ++i) grid.addWidget(parts[i], line, i);
+  for (int i = 0; i < kColumns; ++i) grid.addWidget(row.parts()[i], line, i);
   return row;
 }
 
@@ -264,8 +280,51 @@ void FamiliesPanel::chooseColour(LineFamily family) {
   edit(family, [&chosen](SurfaceFamily& look) { look.colour = chosen.name().toStdString(); });
 }
 
+void FamiliesPanel::fitFields() {
+  const QFontMetrics metrics = fontMetrics();
+  for (const Row& row : rows_) {
+    row.threshold->setFixedWidth(metrics.horizontalAdvance("00.00") + kFieldFramePx);
+    row.width->setFixedWidth(metrics.horizontalAdvance("12.0") + kFieldFramePx);
+  }
+}
+
+int FamiliesPanel::widthOf(int column) const {
+  int widest = heads_[column] && column != kThresholds ? heads_[column]->sizeHint().width() : 0;
+  for (const Row& row : rows_) {
+    widest = std::max(widest, leastWidth(*row.parts()[static_cast<std::size_t>(column)]));
+  }
+  return widest + kSpacingPx;
+}
+
+QSize FamiliesPanel::minimumSizeHint() const {
+  const int row = widthOf(0) + widthOf(kThresholds + 1) + widthOf(kColours);
+  const int least = std::max(row - kSpacingPx, common_->minimumSizeHint().width());
+  return {least + 2 * kMarginPx, QWidget::minimumSizeHint().height()};
+}
+
+// In large type those columns go first that a class does not look for.
+void FamiliesPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  int room = width() - minimumSizeHint().width();
+  for (const int column : {kWidths, kFades, kThresholds}) {
+    room -= widthOf(column);
+    const bool shown = room >= 0;
+    if (column == kThresholds) {
+      heads_[column]->setAlignment(shown ? Qt::AlignLeft : Qt::AlignRight);
+    } else {
+      heads_[column]->setVisible(shown);
+    }
+    for (const LineFamily family : allLineFamilies()) {
+      const Row& row = rows_[static_cast<std::size_t>(family)];
+      row.parts()[static_cast<std::size_t>(column)]->setVisible(
+          shown && (column == kWidths || hasThreshold(family)));
+    }
+  }
+}
+
 void FamiliesPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) showSetting();
+  if (event->type() == QEvent::FontChange) fitFields();
   QWidget::changeEvent(event);
 }
 

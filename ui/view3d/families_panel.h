@@ -12,6 +12,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
+class QLabel;
 class QSlider;
 class QSpinBox;
 
@@ -25,10 +26,15 @@ class FamiliesPanel : public QWidget {
  public:
   explicit FamiliesPanel(const SurfaceModels& models, QWidget* parent = nullptr);
 
+  /// Without width, fade and sliders, which stand where there is room for them.
+  QSize minimumSizeHint() const override;
+
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  static constexpr int kColumns = 6;
   struct Row {
     QCheckBox* on;
     QSlider* slider;
@@ -36,9 +42,13 @@ class FamiliesPanel : public QWidget {
     QAbstractButton* colour;
     QDoubleSpinBox* width;
     QCheckBox* fade;
+
+    std::array<QWidget*, kColumns> parts() const;  ///< by column
   };
   Row makeRow(LineFamily family, QGridLayout& grid, int line);
   QWidget* makeCommon();
+  void fitFields();               ///< to the digits in the font there is
+  int widthOf(int column) const;  ///< at least, with the space beside it
   void showSetting();
   /// Edits one family of the setting; edits with the same gesture number become one step.
   void edit(LineFamily family, const std::function<void(SurfaceFamily&)>& change, int gesture = 0);
@@ -48,6 +58,8 @@ class FamiliesPanel : public QWidget {
 
   SurfaceModels models_;
   std::array<Row, kLineFamilyCount> rows_{};
+  std::array<QLabel*, kColumns> heads_{};  ///< by column; null: it has none
+  QWidget* common_ = nullptr;
   QComboBox* hidden_ = nullptr;
   QCheckBox* unfiltered_ = nullptr;
   QSpinBox* isophotes_ = nullptr;
