@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core3d/draw/chains.h"
 #include "core3d/draw/ink.h"
 #include "core3d/mesh/build_mesh.h"
 #include "tests/core3d/screen_lines.h"
@@ -243,6 +244,63 @@ TEST(Compose, PicturesOfAllSizesHaveTheSameStrokes) {
       EXPECT_LT((scale * a.back() - b.back()).norm(), 1e-6 * scale);
     }
   }
+}
+
+TEST(Compose, SegmentsAreThoseOfTheStrokes) {
+  const Sheet sheet;
+  const SurfaceFields none;
+  const Sight sight(sheet.mesh, none);
+  const Projection projection = projectionOf(Camera(), sheet.mesh);
+  for (const std::optional<double> ink : {std::optional<double>(), std::optional(0.02)}) {
+    const StrokeOptions strokes{.tolerancePx = -1.0, .ink = ink};  // no point is left out
+    const Drawing drawing = sheet.draw(strokes);
+    ASSERT_NE(drawing.stats.thresholdFactor == 1.0, ink.has_value());
+    for (const Sight* asked : {&sight, static_cast<const Sight*>(nullptr)}) {
+      const StrokeLines lines = strokeLines(sheet.found, asked, projection, sheet.lines, strokes,
+                                            drawing.stats.thresholdFactor);
+      for (const LineFamily family : allLineFamilies()) {
+        std::vector<std::pair<float, float>> expected, found;  // ends by x: none are alike
+        for (const Polyline& line : drawing.polylines) {
+          if (line.family != family) continue;
+          for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+            expected.push_back(std::minmax({line.points[i].x(), line.points[i + 1].x()}));
+          }
+        }
+        for (const LineSegment& s : lines.visible.of(family)) {
+          found.push_back(std::minmax({s.a.at.x(), s.b.at.x()}));
+        }
+        std::sort(expected.begin(), expected.end());
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, expected) << nameOf(family);
+        EXPECT_TRUE(lines.hidden.of(family).empty());
+      }
+      EXPECT_FALSE(lines.visible.of(LineFamily::ApparentRidges).empty());
+    }
+  }
+}
+
+TEST(Compose, SegmentsOfALoopMeet) {
+  // A square of contours on a plane, one corner node each.
+  Sheet sheet;
+  sheet.found = {};
+  sheet.lines = {};
+  sheet.lines[LineFamily::OccludingContours] = true;
+  const Eigen::Vector3f corners[] = {
+      {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}};
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    sheet.found.of(LineFamily::OccludingContours)
+        .push_back({{corners[i], 1.0f, freeNode(i)},
+                    {corners[(i + 1) % 4], 1.0f, freeNode((i + 1) % 4)},
+                    0});
+  }
+  const StrokeLines lines =
+      strokeLines(sheet.found, nullptr, projectionOf(Camera(), sheet.mesh), sheet.lines, {});
+  const auto& loop = lines.visible.of(LineFamily::OccludingContours);
+  ASSERT_EQ(loop.size(), 4u);
+  const std::vector<LineChain> chains = chainSegments(LineFamily::OccludingContours, loop);
+  ASSERT_EQ(chains.size(), 1u);
+  EXPECT_TRUE(chains[0].closed);
+  EXPECT_EQ(chains[0].points.size(), 4u);
 }
 
 TEST(Compose, AsksForLinesDownToWhereTheyAreFollowed) {
