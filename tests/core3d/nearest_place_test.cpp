@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core3d/lines/nearest_place.h"
 
 #include <gtest/gtest.h>

@@ -14,6 +14,7 @@
 #include "ui/model/orbit.h"
 #include "ui/model/seen_surface.h"
 #include "ui/model/surface_look.h"
+#include "ui/model/surface_panes.h"
 #include "ui/view3d/surface_picture.h"
 
 using namespace flatland;
@@ -120,6 +121,7 @@ class SeenStrokesTest : public QObject {
     source_ = std::make_unique<SurfaceSource>(*document_);
     ink_ = std::make_unique<InkSource>(*document_, *source_);
     seen_ = std::make_unique<SeenSource>(*document_, *source_, 0, nullptr, ink_.get());
+    other_ = std::make_unique<SeenSource>(*document_, *source_, 1, seen_.get(), ink_.get());
     source_->setActive(true);
     source_->open(name);
     QVERIFY(
@@ -133,6 +135,7 @@ class SeenStrokesTest : public QObject {
   }
   void cleanup() {
     draughtsman_.reset();
+    other_.reset();
     seen_.reset();
     ink_.reset();
     source_.reset();
@@ -245,6 +248,36 @@ class SeenStrokesTest : public QObject {
     QVERIFY(total() < usual);
   }
 
+  void aDifferenceIsTheSameAtEveryZoom() {
+    SeenSource& other = *other_;
+    SurfaceSetting edited = setting();
+    edited.panes.resize(1);
+    edited.panes[0].shows = kShowsDifference;
+    edited.panes[0].derivative = kOneRing;
+    push(edited);
+    QVERIFY(settled());
+    QVERIFY(other.seen() && other.seen()->difference);
+    QVERIFY(other.seen()->difference->addedShare > 0.0);
+    const int own = other.searches(), first = seen_->searches();
+    SurfaceCamera camera = setting().camera;
+    camera.zoom = 0.3;
+    camera.centre = Eigen::Vector3d(0.3, 0.1, 0.0);
+    document_->setCamera(camera);
+    other.setAspect(2.0);
+    QVERIFY(!other.isStale());
+    QVERIFY(settled());
+    QCOMPARE(other.searches(), own);
+    QCOMPARE(seen_->searches(), first + 1);
+    // All of its pieces are long strokes, or were cut from one.
+    const auto& all = other.seen()->lines[static_cast<std::size_t>(LineFamily::ApparentRidges)];
+    SurfaceCamera fitted = camera;
+    fitted.zoom = 1.0;
+    fitted.centre.setZero();
+    const Projection there =
+        orbitProjection(fitted, source_->surface()->ballRadius, kWidth, kHeight);
+    QVERIFY(componentsOf(all, there).front() >= StrokeOptions{}.minLengthPx);
+  }
+
   /// Where what is hidden is known, the picture shows just that.
   void thePictureHidesWhatTheDrawingHides() {
     SurfacePicture picture;
@@ -304,7 +337,9 @@ class SeenStrokesTest : public QObject {
     push(edited);
   }
   bool settled() {
-    return QTest::qWaitFor([this] { return !ink_->isStale() && !seen_->isStale(); }, kPatienceMs);
+    return QTest::qWaitFor(
+        [this] { return !ink_->isStale() && !seen_->isStale() && !other_->isStale(); },
+        kPatienceMs);
   }
   Projection projection() const {
     return orbitProjection(setting().camera, source_->surface()->ballRadius, kWidth, kHeight);
@@ -319,7 +354,7 @@ class SeenStrokesTest : public QObject {
   std::unique_ptr<Document> document_;
   std::unique_ptr<SurfaceSource> source_;
   std::unique_ptr<InkSource> ink_;
-  std::unique_ptr<SeenSource> seen_;
+  std::unique_ptr<SeenSource> seen_, other_;  // of the first view and of the second
   std::unique_ptr<Draughtsman> draughtsman_;
 };
 

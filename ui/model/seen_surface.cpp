@@ -39,6 +39,7 @@ std::vector<LineSegment> allOf(const StrokeLines& lines) {
 }
 
 constexpr double kHeightPx = 600.0;  ///< of a picture of any size: strokes are the same in all
+constexpr double kUsualAspect = 4.0 / 3.0;
 
 /// The part of a camera that single pieces of line depend on.
 SurfaceCamera foundFor(SurfaceCamera camera) {
@@ -272,10 +273,15 @@ void SeenSource::setAspect(double aspect) {
 SeenSource::Wanted SeenSource::wanted() const {
   Wanted wanted{linesOf(pane_), {}, aspect_, true};
   PaneSetting& pane = wanted.lines.pane;
-  if (first_ && pane.difference) wanted.first = linesOf(0);
+  if (first_ && pane.difference) {
+    // A difference is that of the surface from there, at every zoom: of strokes of the usual size.
+    wanted.first = linesOf(0);
+    pane.surface.camera = wanted.first->pane.surface.camera = foundFor(pane.surface.camera);
+    wanted.aspect = kUsualAspect;
+  }
   // A camera elsewhere sees other parts of the lines.
   wanted.sight = !wanted.first && !camerasDiffer(*document_.scene().surface);
-  if (pane.surface.unfiltered) wanted.aspect = 1.0;
+  if (pane.surface.unfiltered) wanted.aspect = kUsualAspect;
   return wanted;
 }
 
