@@ -102,11 +102,13 @@ SectionMarks compareSection(const Section& section, const TriangleMesh& mesh,
                           b = mesh.origin + mesh.unit * segment.b.at.cast<double>();
     const double ha = section.plane.height(a), hb = section.plane.height(b);
     if ((ha >= 0.0) == (hb >= 0.0)) continue;
-    const Eigen::Vector3d at = a + ha / (ha - hb) * (b - a);
+    const double share = ha / (ha - hb);
+    const Eigen::Vector3d at = a + share * (b - a);
     CrossedRidge ridge{at,
                        section.plane.inPlane(at),
                        offPlaneDeg(mesh, fields, view, section.plane, segment.triangle),
-                       {}};
+                       {},
+                       (1.0 - share) * segment.a.strength + share * segment.b.strength};
     for (const Mark& mark : features.marks) {
       if (mark.kind != MarkKind::ApparentRidge) continue;
       const double distance = (mark.point - ridge.inPlane).norm();

@@ -58,6 +58,7 @@ struct CrossedRidge {
   Vec2 inPlane;
   std::optional<double> offPlaneDeg;
   std::optional<double> toMark;  ///< distance to the section's nearest apparent ridge, if any
+  double strength;               ///< LineEnd::strength there
 };
 
 struct SectionMarks {

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -57,8 +58,26 @@ class SlicingTest : public QObject, private BridgingWindow {
     QVERIFY(!section->marks.marks.empty());
     QVERIFY(!section->marks.ridges.empty());
     auto& table = d.child<QTableWidget>("section.pairs");
-    QCOMPARE(table.rowCount(), static_cast<int>(section->pairs.size()));
+    const auto listed = [&](double threshold) {
+      return static_cast<int>(
+          std::count_if(section->pairs.begin(), section->pairs.end(),
+                        [&](const SectionPair& pair) { return pair.strength >= threshold; }));
+    };
+    const double usual = familyOf(*d.scene().surface, LineFamily::ApparentRidges).threshold;
+    const int all = static_cast<int>(section->pairs.size());
+    QCOMPARE(table.rowCount(), listed(usual));
     QVERIFY(table.isVisible());
+    // Those below the threshold of the view are counted, not listed.
+    auto& weaker = d.child<QLabel>("section.weaker");
+    QCOMPARE(weaker.isVisibleTo(weaker.parentWidget()), listed(usual) < all);
+    const double middle = section->pairs[section->pairs.size() / 2].strength;
+    d.child<QDoubleSpinBox>("families.apparent-ridges.threshold").setValue(middle + 0.01);
+    QVERIFY(quiet());
+    QCOMPARE(table.rowCount(), listed(middle + 0.01));
+    QVERIFY(weaker.text().startsWith(QString::number(all - table.rowCount())));
+    d.child<QDoubleSpinBox>("families.apparent-ridges.threshold").setValue(usual);
+    QVERIFY(quiet());
+    QCOMPARE(table.rowCount(), listed(usual));
     QVERIFY(!d.child<QLabel>("section.sentence").text().isEmpty());
     auto& crossings = d.child<CrossingOverlay>("canvas.crossings");
     QVERIFY(crossings.crossings().empty());  // the curves are still the person's own
@@ -338,6 +357,18 @@ class SlicingTest : public QObject, private BridgingWindow {
       if (pair.ridge && pair.offPlaneDeg) least = std::min(least, *pair.offPlaneDeg);
     }
     QVERIFY2(least < 3.0, qPrintable(QString::number(least)));
+    // Where flatland agrees, a mark is as strong as the line of the surface, up to the fit of the
+    // curve and the estimate of curvature.
+    int agreeing = 0;
+    for (const SectionPair& pair : view->pairs) {
+      if (!pair.ridge || !pair.mark || *pair.offPlaneDeg > 3.0) continue;
+      const double line = view->marks.ridges[*pair.ridge].strength;
+      const double mark = strengthOf(view->marks.marks[*pair.mark], *view->surface);
+      QVERIFY2(std::abs(mark / line - 1.0) < 0.25, qPrintable(QString::number(mark / line)));
+      QCOMPARE(pair.strength, std::max(line, mark));
+      ++agreeing;
+    }
+    QVERIFY(agreeing > 0);
     QVERIFY(view->section.plane.normal.cross(camera().towards).norm() > 0.999);
   }
 

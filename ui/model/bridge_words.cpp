@@ -18,11 +18,6 @@ struct BridgeWords {
 /// Below it, t_A counts as in the plane: estimates of t_A are no better.
 constexpr double kInPlaneDeg = 3.0;
 
-/// "-" for what there is nothing to measure of.
-QString measured(double value, const QString& words) {
-  return std::isfinite(value) ? words.arg(shortWords(value)) : BridgeWords::tr("nothing measured");
-}
-
 QString lineWords(const LineAgreement& agreement, const QString& name) {
   std::size_t all = 0;
   for (const std::size_t count : agreement.linesBy) all += count;
@@ -32,10 +27,10 @@ QString lineWords(const LineAgreement& agreement, const QString& name) {
                      .arg(agreement.lines)
                      .arg(all);
   if (agreement.lines == 0) return text;
-  text += BridgeWords::tr("; %1, %2")
-              .arg(measured(agreement.medianEdges, BridgeWords::tr("found %1 edges away (median)")),
-                   measured(100.0 * agreement.coverage, BridgeWords::tr("%1 % covered")));
-  return text;
+  // Without a line found there is no distance to tell of.
+  if (!std::isfinite(agreement.medianEdges)) return text + BridgeWords::tr("; none of them found");
+  return text + BridgeWords::tr("; found %1 edges away (median), %2 % covered")
+                    .arg(shortWords(agreement.medianEdges), shortWords(100.0 * agreement.coverage));
 }
 
 }  // namespace
@@ -105,9 +100,9 @@ QString pairWords(const SectionPair& pair) {
 QStringList sectionWords(const SectionView& section) {
   const std::size_t curves = section.section.scene.curves.size();
   if (curves == 0) return {BridgeWords::tr("The plane does not cut the surface.")};
-  QStringList lines{
-      BridgeWords::tr("%n curve(s), at most %1 from the section", nullptr, static_cast<int>(curves))
-          .arg(shortWords(section.section.maxDeviation))};
+  QStringList lines{BridgeWords::tr("%n curve(s), at most %1 from the section (unit of the file)",
+                                    nullptr, static_cast<int>(curves))
+                        .arg(shortWords(section.section.maxDeviation))};
   if (!section.whyNoMarks.empty()) lines << asSentence(coreWords(section.whyNoMarks));
   return lines;
 }

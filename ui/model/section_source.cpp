@@ -2,6 +2,7 @@
 #include "ui/model/section_source.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core3d/lines/vertex_terms.h"
 #include "core3d/study/line_distances.h"
@@ -41,12 +42,12 @@ std::vector<LineVertex> linesOf(const Slice& slice, const TriangleMesh& mesh) {
   return lines;
 }
 
-std::vector<SectionPair> pairsOf(const SectionMarks& marks) {
+std::vector<SectionPair> pairsOf(const SectionMarks& marks, const LoadedSurface& surface) {
   std::vector<SectionPair> pairs;
   std::vector<bool> met(marks.marks.size(), false);
   for (std::size_t i = 0; i < marks.ridges.size(); ++i) {
     const CrossedRidge& ridge = marks.ridges[i];
-    SectionPair pair{i, {}, ridge.toMark, ridge.offPlaneDeg};
+    SectionPair pair{i, {}, ridge.toMark, ridge.offPlaneDeg, ridge.strength};
     double least = 0.0;
     for (std::size_t k = 0; k < marks.marks.size(); ++k) {
       if (marks.marks[k].mark.kind != MarkKind::ApparentRidge) continue;
@@ -55,7 +56,10 @@ std::vector<SectionPair> pairsOf(const SectionMarks& marks) {
       pair.mark = k;
       least = distance;
     }
-    if (pair.mark) met[*pair.mark] = true;
+    if (pair.mark) {
+      met[*pair.mark] = true;
+      pair.strength = std::max(pair.strength, strengthOf(marks.marks[*pair.mark], surface));
+    }
     pairs.push_back(pair);
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const SectionPair& a, const SectionPair& b) {
@@ -63,7 +67,8 @@ std::vector<SectionPair> pairsOf(const SectionMarks& marks) {
   });
   for (std::size_t k = 0; k < marks.marks.size(); ++k) {
     if (met[k] || marks.marks[k].mark.kind != MarkKind::ApparentRidge) continue;
-    pairs.push_back({{}, k, {}, marks.marks[k].offPlaneDeg});
+    const SectionMark& mark = marks.marks[k];
+    pairs.push_back({{}, k, {}, mark.offPlaneDeg, strengthOf(mark, surface)});
   }
   return pairs;
 }
@@ -84,7 +89,7 @@ void addMarks(SectionView& view) {
   for (const CrossedRidge& ridge : view.marks.ridges) {
     view.seenRidges.push_back(isSeen(*surface.mesh, from, ridge.at));
   }
-  view.pairs = pairsOf(view.marks);
+  view.pairs = pairsOf(view.marks, surface);
 }
 
 /// The section of `view`, or that of `last` where it is the same but for the view.
@@ -103,6 +108,11 @@ void cut(SectionView& view, const std::shared_ptr<const SectionView>& last, cons
 }
 
 }  // namespace
+
+double strengthOf(const SectionMark& mark, const LoadedSurface& surface) {
+  if (!mark.mark.lambda || !surface.fields) return 0.0;
+  return std::sqrt(*mark.mark.lambda) * surface.mesh->unit * surface.fields->size;
+}
 
 bool isSeen(const TriangleMesh& mesh, const SurfaceView& view, const Eigen::Vector3d& inFile) {
   const Eigen::Vector3d at = (inFile - mesh.origin) / mesh.unit;

@@ -20,6 +20,7 @@ struct SectionPair {
   std::optional<std::size_t> mark;    ///< index into SectionMarks::marks
   std::optional<double> distance;     ///< between them, in the unit of the file
   std::optional<double> offPlaneDeg;  ///< angle of t_A to the plane, at the ridge or at the mark
+  double strength = 0.0;  ///< of the stronger, to be held against the threshold of apparent ridges
 };
 
 /// The section of the document's surface by its plane, and its marks in one view.
@@ -36,6 +37,9 @@ struct SectionView {
   std::vector<bool> seenMarks, seenRidges;  ///< nothing of the surface is before them
   std::vector<SectionPair> pairs;           ///< by distance, those without partner last
 };
+
+/// What LineEnd::strength would be at a mark of the section. 0 without lambda.
+double strengthOf(const SectionMark& mark, const LoadedSurface& surface);
 
 /// True if nothing of the surface stands before a place of it, in the unit of the file. Tries every
 /// triangle.

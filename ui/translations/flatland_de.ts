@@ -11,28 +11,12 @@
 <context>
     <name>Bridge</name>
     <message>
-        <source>nothing measured</source>
-        <translation>nichts gemessen</translation>
-    </message>
-    <message>
         <source>%1: none predicted</source>
         <translation>%1: keine vorhergesagt</translation>
     </message>
     <message>
         <source>%1: %2 of %3 predicted lines can be expected</source>
         <translation>%1: %2 von %3 vorhergesagten Linien sind zu erwarten</translation>
-    </message>
-    <message>
-        <source>; %1, %2</source>
-        <translation>; %1, %2</translation>
-    </message>
-    <message>
-        <source>found %1 edges away (median)</source>
-        <translation>im Median %1 Kanten entfernt gefunden</translation>
-    </message>
-    <message>
-        <source>%1 % covered</source>
-        <translation>%1 % gefunden</translation>
     </message>
     <message>
         <source>Apparent ridges</source>
@@ -89,11 +73,19 @@
         <source>The plane does not cut the surface.</source>
         <translation>Die Ebene schneidet die Fläche nicht.</translation>
     </message>
+    <message>
+        <source>; none of them found</source>
+        <translation>; keine davon gefunden</translation>
+    </message>
+    <message>
+        <source>; found %1 edges away (median), %2 % covered</source>
+        <translation>; im Median %1 Kanten entfernt gefunden, %2 % abgedeckt</translation>
+    </message>
     <message numerus="yes">
-        <source>%n curve(s), at most %1 from the section</source>
+        <source>%n curve(s), at most %1 from the section (unit of the file)</source>
         <translation>
-            <numerusform>%n Kurve, höchstens %1 vom Schnitt entfernt</numerusform>
-            <numerusform>%n Kurven, höchstens %1 vom Schnitt entfernt</numerusform>
+            <numerusform>%n Kurve, höchstens %1 vom Schnitt entfernt (Einheit der Datei)</numerusform>
+            <numerusform>%n Kurven, höchstens %1 vom Schnitt entfernt (Einheit der Datei)</numerusform>
         </translation>
     </message>
 </context>
@@ -5165,6 +5157,17 @@
     <message>
         <source>. The swept surface goes with its curve; undo brings both back</source>
         <translation>. Die Fläche, die aus der Kurve entstand, geht mit ihr; Rückgängig bringt beide zurück</translation>
+    </message>
+    <message>
+        <source>What the table leaves out</source>
+        <translation>Was die Tabelle weglässt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n weaker than the view&apos;s threshold left out</source>
+        <translation>
+            <numerusform>%n schwächere als die Schwelle der Ansicht weggelassen</numerusform>
+            <numerusform>%n schwächere als die Schwelle der Ansicht weggelassen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -11,10 +11,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n curve(s), at most %1 from the section</source>
+        <source>%n curve(s), at most %1 from the section (unit of the file)</source>
         <translation>
-            <numerusform>%n curve, at most %1 from the section</numerusform>
-            <numerusform>%n curves, at most %1 from the section</numerusform>
+            <numerusform>%n curve, at most %1 from the section (unit of the file)</numerusform>
+            <numerusform>%n curves, at most %1 from the section (unit of the file)</numerusform>
         </translation>
     </message>
 </context>
@@ -56,6 +56,16 @@
         <translation>
             <numerusform>%n mark is hidden.</numerusform>
             <numerusform>%n marks are hidden.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SectionPanel</name>
+    <message numerus="yes">
+        <source>%n weaker than the view&apos;s threshold left out</source>
+        <translation>
+            <numerusform>%n weaker than the view&apos;s threshold left out</numerusform>
+            <numerusform>%n weaker than the view&apos;s threshold left out</numerusform>
         </translation>
     </message>
 </context>

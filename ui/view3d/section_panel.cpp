@@ -15,6 +15,7 @@
 #include "ui/commands/section_command.h"
 #include "ui/model/bridge_words.h"
 #include "ui/model/cutting_plane.h"
+#include "ui/model/surface_look.h"
 #include "ui/model/swept_surface.h"
 #include "ui/panels/wrap_row.h"
 
@@ -23,6 +24,23 @@ namespace flatland::ui {
 namespace {
 
 constexpr double kPerMille = 1e-3;
+
+/// Of a pair: the crossing by its number in the pictures, the mark, their distance, the angle.
+QStringList cellsOf(const SectionView& section, std::size_t index) {
+  const SectionPair& pair = section.pairs[index];
+  QString ridge = QStringLiteral("–"), mark = ridge, apart = ridge, angle = ridge;
+  if (pair.ridge) ridge = SectionPanel::tr("× %1").arg(index + 1);
+  if (pair.mark) {
+    const Mark& its = section.marks.marks[*pair.mark].mark;
+    mark = SectionPanel::tr("t = %1").arg(shortWords(its.t));
+    if (section.section.scene.curves.size() > 1) {
+      mark = SectionPanel::tr("%1: t = %2").arg(its.curve + 1).arg(shortWords(its.t));
+    }
+  }
+  if (pair.distance) apart = shortWords(*pair.distance);
+  if (pair.offPlaneDeg) angle = QLocale().toString(*pair.offPlaneDeg, 'f', 1) + "°";
+  return {ridge, mark, apart, angle};
+}
 
 }  // namespace
 
@@ -45,7 +63,10 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
   sentence_ = new QLabel(this);
   sentence_->setObjectName("section.sentence");
   sentence_->setAccessibleName(tr("Why the pair differs"));
-  for (QLabel* label : {state_, sentence_}) {
+  weaker_ = new QLabel(this);
+  weaker_->setObjectName("section.weaker");
+  weaker_->setAccessibleName(tr("What the table leaves out"));
+  for (QLabel* label : {state_, weaker_, sentence_}) {
     label->setToolTip(label->accessibleName());
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -60,9 +81,8 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
          "ridge of the section, and the angle between t_A and the plane"));
   table_->setHorizontalHeaderLabels(
       {tr("Surface"), tr("Section"), tr("Apart"), tr("t_A off plane")});
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  const int last = table_->columnCount() - 1;  // it has the longest name
-  table_->horizontalHeader()->setSectionResizeMode(last, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -71,11 +91,12 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
   table_->setMinimumHeight(120);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SectionPanel::showSentence);
   layout->addWidget(table_, 1);
+  layout->addWidget(weaker_);
   layout->addWidget(sentence_);
   setFocusProxy(alongView_);
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (change.touchesSurface()) showPlane();
-    if (change.touchesScene()) showSection();
+    if (change.touchesScene() || change.touchesSurface()) showSection();
   });
   connect(&models_.source, &SurfaceSource::changed, this, &SectionPanel::showPlane);
   connect(&models_.pick, &SurfacePick::changed, this, &SectionPanel::showPlane);
@@ -238,42 +259,44 @@ void SectionPanel::showSection() {
   showTable();
 }
 
+bool SectionPanel::isWeak(const SectionPair& pair) const {
+  const SurfaceSetting setting = models_.setting().surface;
+  return !setting.unfiltered &&
+         pair.strength < familyOf(setting, LineFamily::ApparentRidges).threshold;
+}
+
 void SectionPanel::showTable() {
   const auto& section = models_.bridges.section.view();
-  const std::size_t count = section ? section->pairs.size() : 0;
   const int row = table_->currentRow();
+  rows_.clear();
+  int weaker = 0;
+  for (std::size_t i = 0; section && i < section->pairs.size(); ++i) {
+    isWeak(section->pairs[i]) ? void(++weaker) : rows_.push_back(i);
+  }
+  const int count = static_cast<int>(rows_.size());
   {
     const QSignalBlocker silent(table_);
-    table_->setRowCount(static_cast<int>(count));
-    for (std::size_t i = 0; i < count; ++i) {
-      const SectionPair& pair = section->pairs[i];
-      QString ridge = QStringLiteral("–"), mark = ridge, apart = ridge, angle = ridge;
-      if (pair.ridge) ridge = tr("× %1").arg(i + 1);
-      if (pair.mark) {
-        const Mark& its = section->marks.marks[*pair.mark].mark;
-        mark = tr("t = %1").arg(shortWords(its.t));
-        if (section->section.scene.curves.size() > 1) {
-          mark = tr("%1: t = %2").arg(its.curve + 1).arg(shortWords(its.t));
-        }
-      }
-      if (pair.distance) apart = shortWords(*pair.distance);
-      if (pair.offPlaneDeg) angle = QLocale().toString(*pair.offPlaneDeg, 'f', 1) + "°";
+    table_->setRowCount(count);
+    for (int i = 0; i < count; ++i) {
       int column = 0;
-      for (const QString& text : {ridge, mark, apart, angle}) {
-        table_->setItem(static_cast<int>(i), column++, new QTableWidgetItem(text));
+      for (const QString& text : cellsOf(*section, rows_[static_cast<std::size_t>(i)])) {
+        table_->setItem(i, column++, new QTableWidgetItem(text));
       }
     }
-    table_->selectRow(row >= 0 && row < static_cast<int>(count) ? row : 0);
+    table_->selectRow(row >= 0 && row < count ? row : 0);
   }
   table_->setVisible(count > 0);
+  weaker_->setText(tr("%n weaker than the view's threshold left out", nullptr, weaker));
+  weaker_->setVisible(weaker > 0);
   showSentence();
 }
 
 void SectionPanel::showSentence() {
   const auto& section = models_.bridges.section.view();
   const int row = table_->currentRow();
-  const bool there = section && row >= 0 && row < static_cast<int>(section->pairs.size());
-  sentence_->setText(there ? pairWords(section->pairs[static_cast<std::size_t>(row)]) : QString());
+  const bool there = section && row >= 0 && row < static_cast<int>(rows_.size());
+  sentence_->setText(there ? pairWords(section->pairs[rows_[static_cast<std::size_t>(row)]])
+                           : QString());
   sentence_->setVisible(there);
 }
 

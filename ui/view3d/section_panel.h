@@ -2,7 +2,7 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
+#include <vector>
 
 #include "ui/model/bridges.h"
 #include "ui/view3d/surface_models.h"
@@ -44,6 +44,8 @@ class SectionPanel : public QWidget {
   void showSection();
   void showTable();
   void showSentence();
+  /// Below what the view asks of apparent ridges, which scans have many of.
+  bool isWeak(const SectionPair& pair) const;
   void setPlane(const std::optional<SurfacePlane>& plane, const QString& text);
   void typed();
 
@@ -57,7 +59,9 @@ class SectionPanel : public QWidget {
   QDoubleSpinBox* height_ = nullptr;
   QDoubleSpinBox* tolerance_ = nullptr;
   QLabel* state_ = nullptr;
+  QLabel* weaker_ = nullptr;
   QTableWidget* table_ = nullptr;
+  std::vector<std::size_t> rows_;  ///< indices of the pairs that are listed
   QLabel* sentence_ = nullptr;
 };
 
