@@ -397,11 +397,11 @@ ShadingColours shadingColours(Palette palette) {
     colours.base = {0.58f, 0.59f, 0.62f};
     colours.dark = {0.16f, 0.16f, 0.18f};
   }
-  // Gooch's tones, paler so that lines stay readable.
-  colours.warm = {0.95f, 0.88f, 0.66f};
+  // Gooch's tones, paler and less yellow: the orange of apparent ridges has to stand out.
+  colours.warm = {0.98f, 0.94f, 0.85f};
   colours.cool = {0.45f, 0.56f, 0.78f};
   if (palette != Palette::Light) {
-    colours.warm = {0.62f, 0.55f, 0.36f};
+    colours.warm = {0.44f, 0.39f, 0.30f};
     colours.cool = {0.16f, 0.23f, 0.38f};
   }
   return colours;
