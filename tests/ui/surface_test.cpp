@@ -138,6 +138,38 @@ class SurfaceTest : public QObject {
     QVERIFY(slider.isVisible());
   }
 
+  void whatMayLieDownIsAskedOnce() {
+    WindowDriver& d = *driver_;
+    QSignalSpy said(&d.window().surfaces(), &SurfaceController::said);
+    // A tetrahedron whose longest side is along the axis at that place.
+    const auto openLongAlong = [&](int axis) {
+      QFile file(d.path("long.obj"));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      for (int corner = 0; corner < 4; ++corner) {
+        file.write("v");
+        for (int i = 0; i < 3; ++i) {
+          file.write(corner == i + 1 ? (i == axis ? " 3" : " 1") : " 0");
+        }
+        file.write("\n");
+      }
+      file.write("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+      file.close();
+      d.window().surfaces().openFile(d.path("long.obj"));
+      QVERIFY(quiet());
+    };
+    openLongAlong(2);
+    QCOMPARE(said.count(), 1);
+    QVERIFY(said.takeFirst().front().toString().contains("Up Axis"));
+    d.trigger("surface.up.z");
+    QVERIFY(quiet());
+    QCOMPARE(said.count(), 0);
+    d.trigger("surface.up.y");
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    openLongAlong(1);
+    QCOMPARE(said.count(), 0);
+  }
+
   void aBadMeshIsToldInTheOnePlace() {
     WindowDriver& d = *driver_;
     QFile file(d.path("bad.ply"));

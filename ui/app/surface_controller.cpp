@@ -5,11 +5,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
+#include <algorithm>
 
 #include "ui/app/file_controller.h"
 #include "ui/app/message_bar.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/import/mesh_name.h"
+#include "ui/model/surface_look.h"
 
 namespace flatland::ui {
 
@@ -18,6 +20,18 @@ namespace {
 constexpr char kFolderKey[] = "surface/folder";
 constexpr char kExportFolderKey[] = "export/folder";
 constexpr QSize kPictureSize(1600, 1200);  ///< of exported pictures
+
+/// A mesh that is so much longer another way than upward may be standing, and may lie down.
+constexpr double kUprightShare = 0.8;
+
+bool mayLieDown(const TriangleMesh& mesh, const Eigen::Vector3d& up) {
+  const auto extent = [](const std::vector<float>& places) {
+    const auto [least, most] = std::minmax_element(places.begin(), places.end());
+    return static_cast<double>(*most - *least);
+  };
+  const Eigen::Vector3d extents(extent(mesh.x), extent(mesh.y), extent(mesh.z));
+  return extents.dot(up.cwiseAbs()) < kUprightShare * extents.maxCoeff();
+}
 
 QStringList meshPatterns() {
   QStringList patterns;
@@ -54,6 +68,9 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
     if (!namesFile(reference.toStdString())) return;
     files_.remember(reference);
     if (settings_) settings_->setValue(kFolderKey, QFileInfo(reference).absolutePath());
+    if (mayLieDown(*models_.source.surface()->mesh, upAxisOf(*models_.document.scene().surface))) {
+      emit said(tr("Does it lie down? Surface > Up Axis stands it up."));
+    }
   });
   // A scene may have come from a newer program, or from a hand.
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {

@@ -5525,6 +5525,10 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
         <source>Lines as vectors (*.svg *.pdf *.tex);;Picture with shading (*.png);;Curvature at the vertices (*.ply *.csv);;Cameras for flatland lines (*.json)</source>
         <translation>Linien als Vektoren (*.svg *.pdf *.tex);;Bild mit Schattierung (*.png);;Krümmung an den Ecken (*.ply *.csv);;Kameras für flatland lines (*.json)</translation>
     </message>
+    <message>
+        <source>Does it lie down? Surface &gt; Up Axis stands it up.</source>
+        <translation>Liegt es? Fläche &gt; Achse nach oben stellt es auf.</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::SurfaceExporter</name>
