@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several views of one surface: what each shows, as a model and in the real window by mouse and
 // keys.
+#include <Eigen/Geometry>
 #include <QDoubleSpinBox>
 #include <QMenu>
 #include <QPainter>
@@ -25,6 +26,12 @@ using namespace flatland;
 using namespace flatland::ui;
 
 namespace {
+
+double lengthOf(const std::vector<LineSegment>& pieces) {
+  double length = 0.0;
+  for (const LineSegment& piece : pieces) length += (piece.b.at - piece.a.at).norm();
+  return length;
+}
 
 std::size_t countOf(const SeenSource& source, LineFamily family) {
   return source.seen() ? source.seen()->lines[static_cast<std::size_t>(family)].size() : 0;
@@ -139,6 +146,8 @@ class CompareTest : public QObject {
     driver_->trigger("surface.compare.camera");
     QVERIFY(quiet());
     const SurfaceCamera first = camera(), second = camera(1);
+    // It begins at the right hand of the first.
+    QVERIFY(second.towards.dot(first.up.cross(first.towards)) > 0.9);
     const int searches = views().seen(0).searches();
     drag(1, {60, 60}, {110, 60});
     QVERIFY((camera(1).towards - second.towards).norm() > 0.1);
@@ -277,6 +286,27 @@ class CompareTest : public QObject {
     driver_->document().push(std::make_unique<SetSurface>(driver_->document(), other, "edit"));
     QVERIFY(quiet());
     QVERIFY(views().seen(1).seen()->difference->missingShare > 0.5);
+    QVERIFY(views().seen(1).seen()->difference->addedShare > 0.5);
+    // With a family more something is added and nothing missing, with one less the reverse.
+    const auto differenceWith = [&](const std::vector<std::string>& families) {
+      other.panes[0].families = families;
+      driver_->document().push(std::make_unique<SetSurface>(driver_->document(), other, "edit"));
+      return quiet() ? views().seen(1).seen()->difference : std::nullopt;
+    };
+    const auto more =
+        differenceWith({"occluding-contours", "boundaries", "apparent-ridges", "parabolic"});
+    QVERIFY(more);
+    const auto share = [](const SeenDifference& d, SeenDifference::Part part) {
+      return lengthOf(d.pieces[part]) /
+             (lengthOf(d.pieces[part]) + lengthOf(d.pieces[SeenDifference::Common]));
+    };
+    QCOMPARE(more->missingShare, 0.0);
+    QVERIFY(more->addedShare > 0.1);
+    QVERIFY(std::abs(more->addedShare - share(*more, SeenDifference::Added)) < 1e-3);
+    const auto less = differenceWith({"occluding-contours", "boundaries"});
+    QVERIFY(less);
+    QCOMPARE(less->addedShare, 0.0);
+    QVERIFY(less->missingShare > 0.1);
     // The first view against itself: it is one search, and nothing differs.
     other.panes[0].families.reset();
     driver_->document().push(std::make_unique<SetSurface>(driver_->document(), other, "edit"));
