@@ -11,7 +11,6 @@
 
 #include "ui/flat/wheel.h"
 #include "ui/model/orbit.h"
-#include "ui/model/surface_look.h"
 #include "ui/model/surface_probe.h"
 
 namespace flatland::ui {
@@ -22,41 +21,13 @@ using Eigen::Vector2d;
 
 constexpr double kClickReachPx = 4.0;  ///< a hand that does not drag moves less
 constexpr double kZoomPerNotch = 1.2;
-constexpr double kDegreesPerNotch = 120.0;    ///< QWheelEvent::angleDelta of one notch
-constexpr double kKeyStepShare = 1.0 / 36.0;  ///< of the height: an arrow key turns by 5 degrees
+constexpr double kDegreesPerNotch = 120.0;  ///< QWheelEvent::angleDelta of one notch
 constexpr int kSpinIntervalMs = 16;
 constexpr double kSpinStepRad = std::numbers::pi / 360.0;  ///< a turn in about 12 s
 
 Vector2d vectorOf(const QPointF& p) { return {p.x(), p.y()}; }
 
 }  // namespace
-
-bool isSurfaceKey(const QKeyEvent& event) {
-  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
-  switch (event.key()) {
-    case Qt::Key_1:
-    case Qt::Key_3:
-    case Qt::Key_5:
-    case Qt::Key_7:
-    case Qt::Key_9:
-    case Qt::Key_0:
-    case Qt::Key_F:
-    case Qt::Key_P:
-    case Qt::Key_R:
-    case Qt::Key_Home:
-    case Qt::Key_Space:
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-    case Qt::Key_Minus:
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-      return true;
-    default:
-      return false;
-  }
-}
 
 SurfaceInput::SurfaceInput(QWidget& canvas, const SurfaceModels& models)
     : QObject(&canvas), canvas_(canvas), models_(models) {
@@ -216,90 +187,6 @@ bool SurfaceInput::wheel(const QWheelEvent& event) {
       vectorOf(pixels.isNull() ? QPointF(event.angleDelta()) / 8.0 : QPointF(pixels));
   setCamera(event.modifiers().testFlag(Qt::ShiftModifier) ? orbited(camera(), by, canvas_.height())
                                                           : panned(camera(), projection(), by));
-  return true;
-}
-
-bool SurfaceInput::key(const QKeyEvent& event) {
-  if (event.key() == Qt::Key_Escape) {
-    if (drag_ != Drag::None) {
-      const SurfaceCamera before = *before_;
-      endDrag();
-      setCamera(before);
-      return true;
-    }
-    if (isSpinning()) {
-      setSpinning(false);
-    } else if (models_.pick.hit()) {
-      models_.pick.pick(std::nullopt);
-    } else {
-      return false;
-    }
-    return true;
-  }
-  if (!isSurfaceKey(event)) return false;
-  const double step = kKeyStepShare * canvas_.height();
-  const Vector2d middle(0.5 * canvas_.width(), 0.5 * canvas_.height());
-  const auto arrow = [&](double x, double y) {
-    const Vector2d by(x * step, y * step);
-    setCamera(event.modifiers().testFlag(Qt::ShiftModifier)
-                  ? panned(camera(), projection(), by)
-                  : orbited(camera(), by, canvas_.height()));
-  };
-  SurfaceCamera other = camera();
-  const Eigen::Vector3d up = upAxisOf(*models_.document.scene().surface);
-  switch (event.key()) {
-    case Qt::Key_1:
-      setCamera(seenFrom(other, StandardView::Front, up));
-      break;
-    case Qt::Key_3:
-      setCamera(seenFrom(other, StandardView::Right, up));
-      break;
-    case Qt::Key_7:
-      setCamera(seenFrom(other, StandardView::Top, up));
-      break;
-    case Qt::Key_9:
-      other.towards = -other.towards;
-      setCamera(other);
-      break;
-    case Qt::Key_5:
-      setCamera(withPerspectiveToggled(other));
-      break;
-    case Qt::Key_F:
-      other.centre.setZero();
-      other.zoom = 1.0;
-      setCamera(other);
-      break;
-    case Qt::Key_P:
-      pickAt({middle.x(), middle.y()});
-      break;
-    case Qt::Key_0:
-    case Qt::Key_R:
-    case Qt::Key_Home:
-      setCamera(homeCamera(up));
-      break;
-    case Qt::Key_Space:
-      if (!event.isAutoRepeat()) setSpinning(!isSpinning());
-      break;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      setCamera(zoomedAt(other, projection(), middle, kZoomPerNotch));
-      break;
-    case Qt::Key_Minus:
-      setCamera(zoomedAt(other, projection(), middle, 1.0 / kZoomPerNotch));
-      break;
-    case Qt::Key_Left:
-      arrow(-1.0, 0.0);
-      break;
-    case Qt::Key_Right:
-      arrow(1.0, 0.0);
-      break;
-    case Qt::Key_Up:
-      arrow(0.0, -1.0);
-      break;
-    default:
-      arrow(0.0, 1.0);
-      break;
-  }
   return true;
 }
 
