@@ -82,7 +82,7 @@ SurfaceFamily familyFrom(const JsonNode& node) {
   if (const auto on = node.find("on")) family.on = on->boolean();
   if (const auto threshold = node.find("threshold")) {
     family.threshold = threshold->length();
-    if (!(family.threshold >= 0.0)) threshold->fail("expected a threshold of 0 or above");
+    if (!(*family.threshold >= 0.0)) threshold->fail("expected a threshold of 0 or above");
   }
   if (const auto colour = node.find("colour")) {
     family.colour = colour->text();
@@ -177,7 +177,7 @@ std::string cameraText(const SurfaceCamera& camera, const std::string& path) {
 
 std::string familyText(const SurfaceFamily& family, const std::string& path) {
   return "{\"name\": " + quoted(family.name, path) + ", \"on\": " + (family.on ? "true" : "false") +
-         ", \"threshold\": " + lengthText(family.threshold, path) +
+         (family.threshold ? ", \"threshold\": " + lengthText(*family.threshold, path) : "") +
          ", \"colour\": " + quoted(family.colour, path) +
          ", \"widthPx\": " + lengthText(family.widthPx, path) +
          ", \"fade\": " + (family.fade ? "true" : "false") + "}";

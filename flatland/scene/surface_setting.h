@@ -35,10 +35,10 @@ struct SavedCamera {
 struct SurfaceFamily {
   std::string name;
   bool on = true;
-  double threshold = 0.0;  ///< dimensionless, >= 0
-  std::string colour;      ///< "#rrggbb"; empty: the one that suits the background
-  double widthPx = 1.6;    ///< > 0
-  bool fade = true;        ///< weak lines are paler
+  std::optional<double> threshold;  ///< dimensionless, >= 0; empty: as usual for the family
+  std::string colour;               ///< "#rrggbb"; empty: the one that suits the background
+  double widthPx = 1.6;             ///< > 0
+  bool fade = true;                 ///< weak lines are paler
 
   bool operator==(const SurfaceFamily&) const = default;
 };

@@ -447,6 +447,18 @@ TEST(SceneJson, ASurfaceSurvives) {
   EXPECT_EQ(read(surface("")).surface->style, SurfaceSetting{}.style);
 }
 
+// What is usual for a family is known above; 0 would be another threshold.
+TEST(SceneJson, AFamilyNeedNotSayMoreThanItsName) {
+  const Scene scene = read(surface(R"(, "families": [{"name": "creases"}])"));
+  const SurfaceFamily& family = scene.surface->families.at(0);
+  EXPECT_FALSE(family.threshold);
+  EXPECT_TRUE(family.on && family.fade && family.colour.empty() && family.widthPx == 1.6);
+  EXPECT_EQ(read(sceneToJson(scene)), scene);
+  const Scene zero = read(surface(R"(, "families": [{"name": "creases", "threshold": 0}])"));
+  EXPECT_EQ(zero.surface->families.at(0).threshold, 0.0);
+  EXPECT_EQ(read(sceneToJson(zero)), zero);
+}
+
 TEST(SceneJson, FurtherViewsSweptSurfaceAndPlaneSurvive) {
   Scene scene = read(kSmall);
   scene.surface = anySurface();

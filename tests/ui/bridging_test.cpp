@@ -198,7 +198,7 @@ class BridgingTest : public QObject, private BridgingWindow {
     // Another surface has its noise, and the usual threshold against it.
     d.trigger("surface.extrude");
     QVERIFY(quiet());
-    QCOMPARE(familyOf(*d.scene().surface, LineFamily::ApparentRidges).threshold, 0.0);
+    QCOMPARE(*familyOf(*d.scene().surface, LineFamily::ApparentRidges).threshold, 0.0);
     d.trigger("surface.solid.torus");
     QVERIFY(quiet());
     QVERIFY(d.scene().surface->families.empty() && !d.scene().surface->swept);

@@ -340,8 +340,8 @@ class CompareTest : public QObject {
       QCOMPARE(ink->factor, drawing.stats.thresholdFactor);
       QCOMPARE(ink->share, drawing.stats.ink);
       // The lines that are seen are those above the thresholds found.
-      const double least = ink->factor * usualFamily(LineFamily::ApparentRidges).threshold;
-      QCOMPARE(familyOf(models.of(pane).setting().surface, LineFamily::ApparentRidges).threshold,
+      const double least = ink->factor * *usualFamily(LineFamily::ApparentRidges).threshold;
+      QCOMPARE(*familyOf(models.of(pane).setting().surface, LineFamily::ApparentRidges).threshold,
                least);
     }
     QVERIFY2(views().ink().of(1)->factor != views().ink().of(3)->factor,

@@ -314,6 +314,29 @@ class SurfaceModelTest : public QObject {
     QVERIFY(count(LineFamily::Isophotes) > 0);
   }
 
+  void aFamilyWithoutAThresholdHasTheUsualOne() {
+    for (const LineFamily family : allLineFamilies()) {
+      SurfaceSetting setting;
+      SurfaceFamily named;
+      named.name = nameOf(family);
+      setting.families = {named};
+      const double usual = LineOptions{}.threshold[static_cast<std::size_t>(family)];
+      QCOMPARE(familyOf(setting, family).threshold, std::optional(usual));
+      QCOMPARE(lineOptionsOf(setting).threshold[static_cast<std::size_t>(family)], usual);
+      setting.families[0].threshold = 0.25;
+      QCOMPARE(familyOf(setting, family).threshold, std::optional(0.25));
+    }
+    // A sphere has no creases; with a threshold of 0 every edge is one.
+    Fixture f;
+    QVERIFY(f.open("solid:sphere:8"));
+    SurfaceFamily creases;
+    creases.name = nameOf(LineFamily::Creases);
+    f.document.push(
+        std::make_unique<SetSurface>(f.document, withFamily(f.setting(), creases), "edit"));
+    QTRY_VERIFY_WITH_TIMEOUT(!f.seen.isStale(), kPatienceMs);
+    QVERIFY(f.seen.seen()->lines[static_cast<std::size_t>(LineFamily::Creases)].empty());
+  }
+
   void thePaintedPictureShowsTheSphere() {
     Fixture f;
     QVERIFY(f.open("solid:sphere:16"));

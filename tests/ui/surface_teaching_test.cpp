@@ -125,7 +125,7 @@ class SurfaceTeachingTest : public QObject {
     QVERIFY(d().scene().surface->ink);
     const SurfaceModels models = d().window().surfaceModels();
     const auto threshold = [&models] {
-      return familyOf(models.setting().surface, LineFamily::ApparentRidges).threshold;
+      return *familyOf(models.setting().surface, LineFamily::ApparentRidges).threshold;
     };
     QVERIFY(QTest::qWaitFor([&] { return d().surfaceQuiet() && threshold() != 2.0; }, kPatienceMs));
     QTRY_VERIFY2_WITH_TIMEOUT(!words.text().contains("below the threshold 2."),

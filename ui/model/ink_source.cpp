@@ -138,8 +138,8 @@ PaneSetting InkSource::withInk(PaneSetting view, std::size_t pane) const {
   if (!ink || !view.surface.ink) return view;
   for (const LineFamily family : allLineFamilies()) {
     SurfaceFamily look = familyOf(view.surface, family);
-    if (!(look.threshold > 0.0) || !movesWithInk(family)) continue;
-    look.threshold *= ink->factor;
+    if (!(*look.threshold > 0.0) || !movesWithInk(family)) continue;
+    *look.threshold *= ink->factor;
     view.surface = withFamily(std::move(view.surface), look);
   }
   return view;

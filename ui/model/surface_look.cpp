@@ -77,7 +77,10 @@ SurfaceFamily usualFamily(LineFamily family) {
 
 SurfaceFamily familyOf(const SurfaceSetting& setting, LineFamily family) {
   for (const SurfaceFamily& one : setting.families) {
-    if (one.name == nameOf(family)) return one;
+    if (one.name != nameOf(family)) continue;
+    SurfaceFamily look = one;
+    if (!look.threshold) look.threshold = usualFamily(family).threshold;
+    return look;
   }
   return usualFamily(family);
 }
@@ -121,7 +124,7 @@ LineOptions lineOptionsOf(const SurfaceSetting& setting) {
   for (const LineFamily family : allLineFamilies()) {
     const SurfaceFamily look = familyOf(setting, family);
     options[family] = look.on;
-    options.threshold[static_cast<std::size_t>(family)] = look.threshold;
+    options.threshold[static_cast<std::size_t>(family)] = *look.threshold;
   }
   options.unfiltered = setting.unfiltered;
   options.isophoteLevels = setting.isophotes;

@@ -38,7 +38,8 @@ HiddenLines hiddenOf(const SurfaceSetting& setting);
 /// Names of the setting that mean nothing here, in a sentence; empty if there are none.
 std::string unknownNames(const SurfaceSetting& setting);
 
-/// How a family is drawn: as the setting says, or as usual where it says nothing.
+/// How a family is drawn: as the setting says, or as usual where it says nothing. Both have a
+/// threshold.
 SurfaceFamily familyOf(const SurfaceSetting& setting, LineFamily family);
 SurfaceFamily usualFamily(LineFamily family);
 

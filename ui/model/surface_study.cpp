@@ -77,7 +77,7 @@ void SurfaceStudy::begin() {
   using Data = std::shared_ptr<const TriangleLesson>;
   // Those of the picture, whose threshold equal ink moves.
   const SurfaceSetting setting = views_.setting(0).surface;
-  const double threshold = familyOf(setting, LineFamily::ApparentRidges).threshold;
+  const double threshold = *familyOf(setting, LineFamily::ApparentRidges).threshold;
   job_.start<Data>(
       [worker = worker_, triangle = pick_.hit()->triangle, view = projection(1.0, 1.0).view(),
        threshold, unfiltered = setting.unfiltered](const JobControl&) -> std::optional<Data> {

@@ -54,7 +54,7 @@ int leastWidth(const QWidget& part) {
   return part.minimumWidth() > 0 ? part.minimumWidth() : part.minimumSizeHint().width();
 }
 
-bool hasThreshold(LineFamily family) { return usualFamily(family).threshold > 0.0; }
+bool hasThreshold(LineFamily family) { return *usualFamily(family).threshold > 0.0; }
 
 QIcon colourIcon(Rgb colour) {
   QPixmap pixmap(kIconPx, kIconPx);
@@ -230,8 +230,8 @@ void FamiliesPanel::showSetting() {
     const QSignalBlocker on(row.on), slider(row.slider), threshold(row.threshold), width(row.width),
         fade(row.fade);
     row.on->setChecked(look.on);
-    row.slider->setValue(sliderAt(look.threshold));
-    row.threshold->setValue(look.threshold);
+    row.slider->setValue(sliderAt(*look.threshold));
+    row.threshold->setValue(*look.threshold);
     row.width->setValue(look.widthPx);
     row.fade->setChecked(look.fade);
     row.colour->setIcon(colourIcon(colourOf(look, palette)));

@@ -262,7 +262,7 @@ void SectionPanel::showSection() {
 bool SectionPanel::isWeak(const SectionPair& pair) const {
   const SurfaceSetting setting = models_.setting().surface;
   return !setting.unfiltered &&
-         pair.strength < familyOf(setting, LineFamily::ApparentRidges).threshold;
+         pair.strength < *familyOf(setting, LineFamily::ApparentRidges).threshold;
 }
 
 void SectionPanel::showTable() {

@@ -337,7 +337,7 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
     if (!look.on) continue;
     const bool fades = look.fade && !picture.setting.unfiltered;
     layers.push_back({&seen.lines[index], colourOf(look, picture.palette), look.widthPx,
-                      fades ? look.threshold : 0.0});
+                      fades ? *look.threshold : 0.0});
     if (knowsHidden) layers.back().visibleEnds = (*seen.visibleEnds)[index];
   }
   return layers;
