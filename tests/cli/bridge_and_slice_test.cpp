@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flatland bridge and slice, from the outside: closed forms, keys, exit codes, messages.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "flatland/curve/curve.h"
 #include "flatland/io/scene_json.h"
-#include "tests/support/run_program.h"
+#include "tests/support/flatland_program.h"
 
-namespace flatland {
+namespace flatland::test {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-using test::contentsOf;
-using test::ProgramResult;
-using test::TemporaryFolder;
 
 /// y = 1 - x^2 over [-1, 1], seen from above: its ridge is at (0, 1), where k = 2.
 constexpr const char* kParabola =
@@ -29,10 +22,7 @@ class BridgeAndSlice : public testing::Test {
   BridgeAndSlice() { std::ofstream(folder_.path() / "parabola.json") << kParabola; }
 
   ProgramResult run(const std::vector<std::string>& arguments) const {
-    return test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments,
-                                               .environment = {{"DISPLAY", std::nullopt},
-                                                               {"QT_QPA_PLATFORM", "nonsense"}},
-                                               .folder = folder_.path()});
+    return runIn(folder_.path(), arguments);
   }
   std::string contents(const char* name) const { return contentsOf(folder_.path() / name); }
   bool exists(const char* name) const { return fs::exists(folder_.path() / name); }
@@ -299,4 +289,4 @@ TEST_F(BridgeAndSlice, HelpHasExamples) {
 }
 
 }  // namespace
-}  // namespace flatland
+}  // namespace flatland::test

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flatland derivation, from the outside.
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/support/run_program.h"
+#include "tests/support/flatland_program.h"
 
-namespace flatland {
+namespace flatland::test {
 namespace {
-
-using nlohmann::json;
-using test::ProgramResult;
-
-ProgramResult run(const std::vector<std::string>& arguments, const std::string& input = {}) {
-  return test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments, .input = input});
-}
 
 TEST(DerivationCommand, JsonHasBothVariantsOfEveryMisprint) {
   const ProgramResult result =
@@ -199,4 +189,4 @@ TEST(DerivationCommand, RefusesWhatDoesNotFitTheSurface) {
 }
 
 }  // namespace
-}  // namespace flatland
+}  // namespace flatland::test

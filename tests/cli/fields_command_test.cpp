@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flatland fields and convergence, from the outside.
-#include <gtest/gtest.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -9,26 +7,16 @@
 #include <fstream>
 #include <iomanip>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "core3d/diff/surface_jet.h"
 #include "core3d/io/read_mesh.h"
-#include "tests/support/run_program.h"
+#include "tests/support/flatland_program.h"
 #include "tests/support/xml_check.h"
 
-namespace flatland {
+namespace flatland::test {
 namespace {
-
-using nlohmann::json;
-using test::contentsOf;
-using test::ProgramResult;
-using test::TemporaryFolder;
-
-ProgramResult run(const std::vector<std::string>& arguments) {
-  return test::runWithoutDisplay(FLATLAND_PROGRAM, arguments);
-}
 
 /// The rows of a table of numbers by the names of its columns.
 std::vector<std::map<std::string, double>> rowsOf(const std::string& csv) {
@@ -106,10 +94,10 @@ TEST(ConvergenceCommand, PrintsATableAndWritesTheDiagram) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 4 * 3);
   EXPECT_NE(result.out.find("order"), std::string::npos);
-  const test::XmlReading reading = test::readXml(contentsOf(file));
+  const XmlReading reading = readXml(contentsOf(file));
   EXPECT_EQ(reading.error, std::nullopt);
   std::set<std::string> ids;
-  for (const test::XmlElement& element : reading.elements) {
+  for (const XmlElement& element : reading.elements) {
     if (element.name == "g") ids.insert(element.attributes.at("id"));
     if (element.name == "convergence") {
       const json data = json::parse(element.text);
@@ -229,4 +217,4 @@ TEST(ConvergenceCommand, TablesAgreeAndTheSeedDecides) {
 }
 
 }  // namespace
-}  // namespace flatland
+}  // namespace flatland::test

@@ -1,41 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flatland lines, from the outside.
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
-#include "core3d/lines/line_family.h"
-#include "tests/support/run_program.h"
+#include "tests/support/flatland_program.h"
 #include "tests/support/xml_check.h"
 
-namespace flatland {
+namespace flatland::test {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-using test::contentsOf;
-using test::ProgramResult;
-using test::TemporaryFolder;
 
 constexpr const char* kTorus = "solid:torus:60";
 constexpr double kSvgRounding = 0.00051;  // three decimals
-
-ProgramResult run(const std::vector<std::string>& arguments,
-                  const std::optional<fs::path>& folder = {}) {
-  return test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments,
-                                             .environment = {{"DISPLAY", std::nullopt},
-                                                             {"QT_QPA_PLATFORM", "nonsense"}},
-                                             .folder = folder});
-}
 
 /// The drawing that `flatland lines` makes, as JSON.
 json drawn(const std::vector<std::string>& arguments) {
@@ -122,7 +104,7 @@ TEST(LinesCommand, SvgHasTheStrokesOfTheJson) {
   svgArguments.insert(svgArguments.end(), {"-o", file});
   ASSERT_EQ(run(svgArguments).exitCode, 0);
   const json drawing = drawn(arguments);
-  const test::XmlReading reading = test::readXml(contentsOf(file));
+  const XmlReading reading = readXml(contentsOf(file));
   ASSERT_EQ(reading.error, std::nullopt);
 
   std::map<std::string, std::vector<json>> strokes;  // by the id of their group
@@ -133,7 +115,7 @@ TEST(LinesCommand, SvgHasTheStrokesOfTheJson) {
   EXPECT_TRUE(strokes.contains("contours-hidden"));
   std::string group, command;
   std::map<std::string, std::size_t> next;
-  for (const test::XmlElement& element : reading.elements) {
+  for (const XmlElement& element : reading.elements) {
     if (element.name == "command") command = element.text;
     if (element.name == "g") {
       group = element.attributes.at("id");
@@ -173,9 +155,9 @@ TEST(LinesCommand, SvgHasTheStrokesOfTheJson) {
 TEST(LinesCommand, IsTheSameEveryTime) {
   const TemporaryFolder folder;
   for (const char* name : {"a.svg", "b.svg", "a.json", "b.json", "a.tex", "b.tex"}) {
-    const ProgramResult result = run({"lines", "solid:bumpy-sphere:30", "-o", name, "--lines",
-                                      "all", "--threads", name[0] == 'a' ? "1" : "2"},
-                                     folder.path());
+    const ProgramResult result =
+        runIn(folder.path(), {"lines", "solid:bumpy-sphere:30", "-o", name, "--lines", "all",
+                              "--threads", name[0] == 'a' ? "1" : "2"});
     ASSERT_EQ(result.exitCode, 0) << result.err;
   }
   const auto withoutCommand = [&](const std::string& name, const std::string& start) {
@@ -258,9 +240,9 @@ TEST(LinesCommand, HiddenLinesAreThereWhenAskedFor) {
 
 TEST(LinesCommand, TurntableNumbersItsFilesAndKeepsTheSize) {
   const TemporaryFolder folder;
-  const ProgramResult result = run({"lines", "solid:ellipsoid:20", "-o", "e.json", "--turntable",
-                                    "12", "--lines", "contours", "--stats"},
-                                   folder.path());
+  const ProgramResult result =
+      runIn(folder.path(), {"lines", "solid:ellipsoid:20", "-o", "e.json", "--turntable", "12",
+                            "--lines", "contours", "--stats"});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(folder.count(), 12u);
   const json stats = json::parse(result.out);
@@ -290,9 +272,9 @@ TEST(LinesCommand, TurntableNumbersItsFilesAndKeepsTheSize) {
 
 TEST(LinesCommand, TurntableAboutTheUsualViewLooksAcrossIt) {
   const TemporaryFolder folder;
-  const ProgramResult result = run({"lines", "solid:ellipsoid:20", "-o", "e.json", "--up", "0,0,1",
-                                    "--turntable", "4", "--lines", "contours"},
-                                   folder.path());
+  const ProgramResult result =
+      runIn(folder.path(), {"lines", "solid:ellipsoid:20", "-o", "e.json", "--up", "0,0,1",
+                            "--turntable", "4", "--lines", "contours"});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const auto width = [&](const char* name) {
     double most = 0.0;
@@ -307,24 +289,22 @@ TEST(LinesCommand, TurntableAboutTheUsualViewLooksAcrossIt) {
   // Half axes 1 and 0.8 across z: from -y the first is seen, a quarter on the second.
   EXPECT_NEAR(width("e-01.json") / width("e-02.json"), 1.0 / 0.8, 0.01);
   // So is a single picture.
-  ASSERT_EQ(
-      run({"lines", "solid:ellipsoid:20", "-o", "s.json", "--up", "0,0,1"}, folder.path()).exitCode,
-      0);
-  ASSERT_EQ(
-      run({"lines", "solid:ellipsoid:20", "-o", "y.json", "--up", "0,0,1", "--view", "0,-1,0"},
-          folder.path())
-          .exitCode,
-      0);
+  ASSERT_EQ(runIn(folder.path(), {"lines", "solid:ellipsoid:20", "-o", "s.json", "--up", "0,0,1"})
+                .exitCode,
+            0);
+  ASSERT_EQ(runIn(folder.path(), {"lines", "solid:ellipsoid:20", "-o", "y.json", "--up", "0,0,1",
+                                  "--view", "0,-1,0"})
+                .exitCode,
+            0);
   EXPECT_EQ(contentsOf(folder.path() / "s.json"), contentsOf(folder.path() / "y.json"));
 }
 
 TEST(LinesCommand, PicturesTellWhatShapedThem) {
   const TemporaryFolder folder;
   const ProgramResult result =
-      run({"lines", kTorus, "-o", "t.svg", "--lines", "apparent-ridges,isophotes", "--threshold",
-           "apparent-ridges=0", "--isophotes", "7", "--hidden", "dash", "--style", "taper",
-           "--min-length", "9", "--unfiltered"},
-          folder.path());
+      runIn(folder.path(), {"lines", kTorus, "-o", "t.svg", "--lines", "apparent-ridges,isophotes",
+                            "--threshold", "apparent-ridges=0", "--isophotes", "7", "--hidden",
+                            "dash", "--style", "taper", "--min-length", "9", "--unfiltered"});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   std::string svg = contentsOf(folder.path() / "t.svg");
   for (std::size_t at; (at = svg.find("&quot;")) != std::string::npos;) svg.replace(at, 6, "\"");
@@ -341,7 +321,7 @@ TEST(LinesCommand, CamerasGiveTheirNamesToTheFiles) {
       << R"({"flatland": 1, "cameras": [{"name": "front"}, {"view": [1, 0, 0],
            "perspectiveDeg": 40, "zoom": 1}]})";
   const ProgramResult result =
-      run({"lines", kTorus, "-o", "t.svg", "--cameras", "cameras.json"}, folder.path());
+      runIn(folder.path(), {"lines", kTorus, "-o", "t.svg", "--cameras", "cameras.json"});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_TRUE(fs::exists(folder.path() / "t-front.svg"));
   EXPECT_TRUE(fs::exists(folder.path() / "t-02.svg"));
@@ -352,9 +332,9 @@ TEST(LinesCommand, ZoomCostsNoMoreThanThePicture) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "near.json")
       << R"({"flatland": 1, "cameras": [{"view": [1, 0.6, 2], "zoom": 1000}]})";
-  const ProgramResult result = run({"lines", kTorus, "-o", "t.json", "--lines", "all", "--cameras",
-                                    "near.json", "--hidden", "show"},
-                                   folder.path());
+  const ProgramResult result =
+      runIn(folder.path(), {"lines", kTorus, "-o", "t.json", "--lines", "all", "--cameras",
+                            "near.json", "--hidden", "show"});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const json drawing = json::parse(contentsOf(folder.path() / "t-01.json"));
   for (const json& line : drawing["polylines"]) {
@@ -394,117 +374,5 @@ TEST(LinesCommand, StatsTellTheStages) {
   EXPECT_NEAR(view["ms"]["total"].get<double>(), sum, 0.01);
 }
 
-TEST(LinesCommand, BadInputIsTold) {
-  const TemporaryFolder folder;
-  std::ofstream(folder.path() / "bad.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n";
-  std::ofstream(folder.path() / "cameras.json")
-      << R"({"flatland": 1, "cameras": [{"veiw": [1, 0, 0]}]})";
-  std::ofstream(folder.path() / "zoom.json") << R"({"flatland": 1, "cameras": [{"zoom": 1e9}]})";
-  std::ofstream(folder.path() / "twice.json")
-      << R"({"flatland": 1, "cameras": [{"name": "02"}, {}]})";
-  struct Case {
-    std::vector<std::string> arguments;
-    const char* message;
-  };
-  const Case cases[] = {
-      {{"lines", "none.obj", "-o", "a.svg"}, "flatland: none.obj"},
-      {{"lines", "bad.obj", "-o", "a.svg"}, "flatland: bad.obj: line 4"},
-      {{"lines", "solid:tours", "-o", "a.svg"}, "no such solid; there are sphere, "},
-      {{"lines", "solid:torus:x", "-o", "a.svg"}, "number of cells"},
-      {{"lines", kTorus, "-o", "none/a.svg"}, "none/a.svg"},
-      {{"lines", kTorus, "-o", "a.svg", "--cameras", "none.json"}, "none.json"},
-      {{"lines", kTorus, "-o", "a.svg", "--cameras", "cameras.json"},
-       "cameras.json: cameras[0]: unknown key \"veiw\""},
-      {{"lines", kTorus, "-o", "a.svg", "--cameras", "zoom.json"},
-       "zoom.json: cameras[0].zoom: expected a zoom above 0, at most 1000, found 1e+09"},
-      {{"lines", kTorus, "-o", "a.svg", "--cameras", "twice.json"},
-       "twice.json: cameras[1]: its picture would be a-02.svg, as that of cameras[0]"},
-      {{"fields", "none.obj", "-o", "a.ply"}, "none.obj"},
-  };
-  for (const Case& bad : cases) {
-    const ProgramResult result = run(bad.arguments, folder.path());
-    EXPECT_EQ(result.exitCode, 1) << result.err;
-    EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_FALSE(fs::exists(folder.path() / "a.svg"));
-  }
-}
-
-TEST(LinesCommand, BadUsageIsToldWithTheValidNames) {
-  struct Case {
-    std::vector<std::string> arguments;
-    const char* message;
-  };
-  const Case cases[] = {
-      {{"lines", kTorus}, "--output is required"},
-      {{"lines", kTorus, "-o", "a.doc"}, ".svg, .pdf, .png, .tex or .json"},
-      {{"lines", kTorus, "-o", "a.svg", "--lines", "contours,apparent-ridge"},
-       "did you mean apparent-ridges? There are exterior-silhouette, contours"},
-      {{"lines", kTorus, "-o", "a.svg", "--threshold", "rigdes=1"}, "did you mean ridges?"},
-      {{"lines", kTorus, "-o", "a.svg", "--threshold", "ridges"}, "FAMILY=VALUE"},
-      {{"lines", kTorus, "-o", "a.svg", "--threshold", "apparent-ridges=-1"}, "from 0 up"},
-      {{"lines", kTorus, "-o", "a.svg", "--threshold", "ridges=1"},
-       "--threshold: ridges are not among the lines drawn"},
-      {{"lines", kTorus, "-o", "a.svg", "--threshold", "contours=1"},
-       "no threshold of contours; there are suggestive-contours"},
-      {{"lines", kTorus, "-o", "a.svg", "--isophotes", "5"}, "isophotes are not among the lines"},
-      {{"lines", kTorus, "-o", "a.svg", "--topographic-up", "0,0,1"},
-       "topographic are not among the lines"},
-      {{"lines", kTorus, "-o", "-"}, "the format is told by a file's name"},
-      {{"lines", "-", "-o", "a.svg"}, "a mesh is read from a file"},
-      {{"lines", kTorus, "-o", "a.svg", "--hiden", "dash"}, "did you mean '--hidden'?"},
-      {{"fields", kTorus, "-o", "a.ply", "--estimater=jet"}, "did you mean '--estimator'?"},
-      {{"study", "offset", "--sede", "1"},
-       "(see flatland study offset --help); did you mean '--seed'?"},
-      {{"lines", kTorus, "-o", "a.svg", "--view", "0,0,0"}, "expected a direction"},
-      {{"lines", kTorus, "-o", "a.svg", "--view", "1,2"}, "expected a direction"},
-      {{"lines", kTorus, "-o", "a.svg", "--hidden", "dashed"}, "did you mean dash?"},
-      {{"lines", kTorus, "-o", "a.svg", "--estimator", "jets"}, "did you mean jet?"},
-      {{"lines", kTorus, "-o", "a.svg", "--ink", "2"}, "--ink"},
-      {{"lines", kTorus, "-o", "a.svg", "--perspective", "180"}, "--perspective"},
-      {{"lines", kTorus, "-o", "a.svg", "--turntable", "4", "--cameras", "c.json"}, "exclude"},
-      {{"lines", kTorus, "-o", "a.svg", "--view", "0,2,0", "--turntable", "4"}, "--view is along"},
-      {{"lines", kTorus, "-o", "a.svg", "--estimator", "one-ring", "--scale", "11"}, "10 at most"},
-      {{"fields", kTorus, "-o", "a.svg"}, ".ply or .csv"},
-      {{"convergence", "sine-shet"}, "did you mean sine-sheet? There are sine-sheet, gaussian"},
-      {{"convergence", "sine-sheet", "--cells", "2"}, "--cells"},
-  };
-  for (const Case& bad : cases) {
-    const ProgramResult result = run(bad.arguments);
-    EXPECT_EQ(result.exitCode, 2) << result.err;
-    EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
-  }
-}
-
-TEST(LinesCommand, InkThatCannotBeReachedIsToldWithPictureAndNumbers) {
-  const TemporaryFolder folder;
-  const ProgramResult result =
-      run({"lines", "solid:sphere:20", "-o", "s.json", "--ink", "0.5", "--turntable", "2"},
-          folder.path());
-  EXPECT_EQ(result.exitCode, 0);
-  for (const char* file : {"s-01.json", "s-02.json"}) {
-    const json stats = json::parse(contentsOf(folder.path() / file))["stats"];
-    EXPECT_EQ(stats["inkReached"], false);
-    std::array<char, 160> line{};
-    std::snprintf(line.data(), line.size(),
-                  "flatland: %s: no thresholds give ink of 0.5; %.4g is as near as it gets\n", file,
-                  stats["ink"].get<double>());
-    EXPECT_NE(result.err.find(line.data()), std::string::npos) << result.err << line.data();
-  }
-}
-
-TEST(LinesCommand, HelpHasExamplesAndEveryFamily) {
-  for (const char* command : {"lines", "fields", "convergence"}) {
-    const ProgramResult result = run({command, "--help"});
-    EXPECT_EQ(result.exitCode, 0);
-    EXPECT_NE(result.out.find("Examples:"), std::string::npos) << command;
-    EXPECT_TRUE(result.err.empty());
-  }
-  const std::string help = run({"lines", "--help"}).out;
-  for (const LineFamily family : allLineFamilies()) {
-    EXPECT_NE(help.find(std::string(nameOf(family))), std::string::npos) << nameOf(family);
-  }
-}
-
 }  // namespace
-}  // namespace flatland
+}  // namespace flatland::test

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flatland profile, from the outside.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <sstream>
 
-#include "tests/support/run_program.h"
+#include "tests/support/flatland_program.h"
 
-namespace flatland {
+namespace flatland::test {
 namespace {
-
-using test::contentsOf;
-using test::ProgramResult;
-using test::TemporaryFolder;
-
-ProgramResult run(const std::vector<std::string>& arguments) {
-  return test::runWithoutDisplay(FLATLAND_PROGRAM, arguments);
-}
 
 constexpr const char* kHeader =
     "curve,segment,t,u,x,y,screen,nw,k,kPrime,lambda,feature,offset,perspective,sum,ratio";
@@ -79,7 +69,7 @@ TEST(ProfileCommand, CountsCurvesAndSegmentsFromZero) {
       R"({"flatland": 1, "curves": [{"bezier": [[0, 0], [1, 1], [2, 0]]},
           {"bezier": [[0, 3], [1, 4], [2, 3]]}], "view": {"angleDeg": 90}})";
   const ProgramResult result =
-      test::runProgram(FLATLAND_PROGRAM, {.arguments = {"profile", "-"}, .input = scene});
+      runProgram(FLATLAND_PROGRAM, {.arguments = {"profile", "-"}, .input = scene});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const auto rows = rowsOf(result.out);
   EXPECT_EQ(rows[1][Curve], "0");
@@ -92,4 +82,4 @@ TEST(ProfileCommand, CountsCurvesAndSegmentsFromZero) {
 }
 
 }  // namespace
-}  // namespace flatland
+}  // namespace flatland::test

@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program from the outside: arguments in, files, text and exit codes out.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "flatland/features/features.h"
 #include "flatland/io/features_text.h"
 #include "flatland/io/scene_json.h"
-#include "tests/support/run_program.h"
+#include "tests/support/flatland_program.h"
 #include "tests/support/xml_check.h"
 
-namespace flatland {
+namespace flatland::test {
 namespace {
 
-using nlohmann::json;
-using test::contentsOf;
-using test::ProgramResult;
-using test::ProgramRun;
-using test::TemporaryFolder;
-
 constexpr bool kWithQt = FLATLAND_WITH_QT;
-
-ProgramResult run(const std::vector<std::string>& arguments, const std::string& input = {},
-                  const std::optional<std::string>& platform = "nonsense") {
-  return test::runWithoutDisplay(FLATLAND_PROGRAM, arguments, input, platform);
-}
 
 void expectOneLine(const ProgramResult& result, int exitCode, const std::string& part) {
   EXPECT_EQ(result.exitCode, exitCode) << result.err;
@@ -103,7 +89,7 @@ TEST(Program, TheExamplesOfTheHelpWork) {
       for (std::string word; words >> word;) arguments.push_back(word);
       arguments.erase(arguments.begin());
       const ProgramResult result =
-          test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments, .folder = folder.path()});
+          runProgram(FLATLAND_PROGRAM, {.arguments = arguments, .folder = folder.path()});
       EXPECT_EQ(result.exitCode, 0) << line << "\n" << result.err;
       ++tried;
     }
@@ -179,7 +165,7 @@ TEST(Program, OutputThatCannotBeWrittenIsReported) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"features", "preset:thesis"}, {"presets", "cusp"}}) {
     const ProgramResult full =
-        test::runProgram(FLATLAND_PROGRAM, {.arguments = arguments, .standardOutput = "/dev/full"});
+        runProgram(FLATLAND_PROGRAM, {.arguments = arguments, .standardOutput = "/dev/full"});
     expectOneLine(full, 1, "standard output: cannot be written: No space left on device");
   }
 }
@@ -258,8 +244,8 @@ TEST(Presets, AreListedAndPrinted) {
   }
 }
 
-std::optional<std::string> textOf(const test::XmlReading& xml, const std::string& name) {
-  for (const test::XmlElement& element : xml.elements) {
+std::optional<std::string> textOf(const XmlReading& xml, const std::string& name) {
+  for (const XmlElement& element : xml.elements) {
     if (element.name == name) return element.text;
   }
   return std::nullopt;
@@ -275,7 +261,7 @@ TEST(Draw, SvgNeedsNoQtAndMakesItselfAgain) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "");
   const std::string svg = contentsOf(file);
-  const test::XmlReading xml = test::readXml(svg);
+  const XmlReading xml = readXml(svg);
   ASSERT_FALSE(xml.error) << *xml.error;
   EXPECT_EQ(xml.elements.front().attributes.at("width"), "500");
   EXPECT_EQ(xml.elements.front().attributes.at("height"), "400");
@@ -290,7 +276,7 @@ TEST(Draw, SvgNeedsNoQtAndMakesItselfAgain) {
   ASSERT_EQ(command.rfind("flatland draw", 0), 0U) << command;
   command.replace(0, std::string("flatland").size(), "'" FLATLAND_PROGRAM "'");
   std::filesystem::remove(file);
-  ASSERT_EQ(test::runProgram("/bin/sh", {.arguments = {"-c", command}}).exitCode, 0) << command;
+  ASSERT_EQ(runProgram("/bin/sh", {.arguments = {"-c", command}}).exitCode, 0) << command;
   EXPECT_EQ(contentsOf(file), svg);
 }
 
@@ -310,7 +296,7 @@ TEST(Draw, TheExtensionMayBeInCapitals) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "A.SVG").string();
   ASSERT_EQ(run({"draw", "preset:bump", "-o", file}).exitCode, 0);
-  EXPECT_FALSE(test::readXml(contentsOf(file)).error);
+  EXPECT_FALSE(readXml(contentsOf(file)).error);
 }
 
 /// A number of four bytes, the highest first, as PNG has them.
@@ -410,4 +396,4 @@ TEST(Window, AMistypedNameIsReportedWhereItWasTyped) {
 }
 
 }  // namespace
-}  // namespace flatland
+}  // namespace flatland::test

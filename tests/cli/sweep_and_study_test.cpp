@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flatland sweep and flatland study, from the outside.
-#include <gtest/gtest.h>
-
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "tests/support/run_program.h"
+#include "tests/support/flatland_program.h"
 #include "tests/support/xml_check.h"
 
-namespace flatland {
+namespace flatland::test {
 namespace {
-
-using nlohmann::json;
-using test::contentsOf;
-using test::ProgramResult;
-using test::TemporaryFolder;
-
-ProgramResult run(const std::vector<std::string>& arguments) {
-  return test::runWithoutDisplay(FLATLAND_PROGRAM, arguments);
-}
 
 std::size_t countOf(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -51,7 +39,7 @@ TEST(SweepCommand, DrawsAWellFormedPicture) {
   const ProgramResult result = run({"sweep", "preset:thesis", "-o", file, "--size", "800x500"});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const std::string svg = contentsOf(file);
-  EXPECT_EQ(test::readXml(svg).error, std::nullopt);
+  EXPECT_EQ(readXml(svg).error, std::nullopt);
   for (const char* id :
        {"branches-silhouette", "branches-apparent-ridge", "lines-ridge", "events-fold"}) {
     EXPECT_NE(svg.find("id=\"" + std::string(id) + "\""), std::string::npos) << id;
@@ -150,7 +138,7 @@ TEST(StudyCommand, AKilledRunLosesNothingThatWasWritten) {
     const auto size = std::filesystem::file_size(file, error);
     return error ? std::uintmax_t{0} : size;
   };
-  const ProgramResult killed = test::runProgram(
+  const ProgramResult killed = runProgram(
       FLATLAND_PROGRAM,
       {.arguments = table(file, "1000000"), .killWhen = [&] { return sizeOf() > 50000; }});
   EXPECT_EQ(killed.exitCode, -SIGKILL);
@@ -217,4 +205,4 @@ TEST(LimitsCommand, RefusesPlacesThatDoNotExist) {
 }
 
 }  // namespace
-}  // namespace flatland
+}  // namespace flatland::test

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What flatland lines and the other commands of meshes say of what cannot be, and their help.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "core3d/lines/line_family.h"
+#include "tests/support/flatland_program.h"
+
+namespace flatland::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTorus = "solid:torus:60";
+
+TEST(LinesMessages, BadInputIsTold) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "bad.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n";
+  std::ofstream(folder.path() / "cameras.json")
+      << R"({"flatland": 1, "cameras": [{"veiw": [1, 0, 0]}]})";
+  std::ofstream(folder.path() / "zoom.json") << R"({"flatland": 1, "cameras": [{"zoom": 1e9}]})";
+  std::ofstream(folder.path() / "twice.json")
+      << R"({"flatland": 1, "cameras": [{"name": "02"}, {}]})";
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* message;
+  };
+  const Case cases[] = {
+      {{"lines", "none.obj", "-o", "a.svg"}, "flatland: none.obj"},
+      {{"lines", "bad.obj", "-o", "a.svg"}, "flatland: bad.obj: line 4"},
+      {{"lines", "solid:tours", "-o", "a.svg"}, "no such solid; there are sphere, "},
+      {{"lines", "solid:torus:x", "-o", "a.svg"}, "number of cells"},
+      {{"lines", kTorus, "-o", "none/a.svg"}, "none/a.svg"},
+      {{"lines", kTorus, "-o", "a.svg", "--cameras", "none.json"}, "none.json"},
+      {{"lines", kTorus, "-o", "a.svg", "--cameras", "cameras.json"},
+       "cameras.json: cameras[0]: unknown key \"veiw\""},
+      {{"lines", kTorus, "-o", "a.svg", "--cameras", "zoom.json"},
+       "zoom.json: cameras[0].zoom: expected a zoom above 0, at most 1000, found 1e+09"},
+      {{"lines", kTorus, "-o", "a.svg", "--cameras", "twice.json"},
+       "twice.json: cameras[1]: its picture would be a-02.svg, as that of cameras[0]"},
+      {{"fields", "none.obj", "-o", "a.ply"}, "none.obj"},
+  };
+  for (const Case& bad : cases) {
+    const ProgramResult result = runIn(folder.path(), bad.arguments);
+    EXPECT_EQ(result.exitCode, 1) << result.err;
+    EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "a.svg"));
+  }
+}
+
+TEST(LinesMessages, BadUsageIsToldWithTheValidNames) {
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* message;
+  };
+  const Case cases[] = {
+      {{"lines", kTorus}, "--output is required"},
+      {{"lines", kTorus, "-o", "a.doc"}, ".svg, .pdf, .png, .tex or .json"},
+      {{"lines", kTorus, "-o", "a.svg", "--lines", "contours,apparent-ridge"},
+       "did you mean apparent-ridges? There are exterior-silhouette, contours"},
+      {{"lines", kTorus, "-o", "a.svg", "--threshold", "rigdes=1"}, "did you mean ridges?"},
+      {{"lines", kTorus, "-o", "a.svg", "--threshold", "ridges"}, "FAMILY=VALUE"},
+      {{"lines", kTorus, "-o", "a.svg", "--threshold", "apparent-ridges=-1"}, "from 0 up"},
+      {{"lines", kTorus, "-o", "a.svg", "--threshold", "ridges=1"},
+       "--threshold: ridges are not among the lines drawn"},
+      {{"lines", kTorus, "-o", "a.svg", "--threshold", "contours=1"},
+       "no threshold of contours; there are suggestive-contours"},
+      {{"lines", kTorus, "-o", "a.svg", "--isophotes", "5"}, "isophotes are not among the lines"},
+      {{"lines", kTorus, "-o", "a.svg", "--topographic-up", "0,0,1"},
+       "topographic are not among the lines"},
+      {{"lines", kTorus, "-o", "-"}, "the format is told by a file's name"},
+      {{"lines", "-", "-o", "a.svg"}, "a mesh is read from a file"},
+      {{"lines", kTorus, "-o", "a.svg", "--hiden", "dash"}, "did you mean '--hidden'?"},
+      {{"fields", kTorus, "-o", "a.ply", "--estimater=jet"}, "did you mean '--estimator'?"},
+      {{"study", "offset", "--sede", "1"},
+       "(see flatland study offset --help); did you mean '--seed'?"},
+      {{"lines", kTorus, "-o", "a.svg", "--view", "0,0,0"}, "expected a direction"},
+      {{"lines", kTorus, "-o", "a.svg", "--view", "1,2"}, "expected a direction"},
+      {{"lines", kTorus, "-o", "a.svg", "--hidden", "dashed"}, "did you mean dash?"},
+      {{"lines", kTorus, "-o", "a.svg", "--estimator", "jets"}, "did you mean jet?"},
+      {{"lines", kTorus, "-o", "a.svg", "--ink", "2"}, "--ink"},
+      {{"lines", kTorus, "-o", "a.svg", "--perspective", "180"}, "--perspective"},
+      {{"lines", kTorus, "-o", "a.svg", "--turntable", "4", "--cameras", "c.json"}, "exclude"},
+      {{"lines", kTorus, "-o", "a.svg", "--view", "0,2,0", "--turntable", "4"}, "--view is along"},
+      {{"lines", kTorus, "-o", "a.svg", "--estimator", "one-ring", "--scale", "11"}, "10 at most"},
+      {{"fields", kTorus, "-o", "a.svg"}, ".ply or .csv"},
+      {{"convergence", "sine-shet"}, "did you mean sine-sheet? There are sine-sheet, gaussian"},
+      {{"convergence", "sine-sheet", "--cells", "2"}, "--cells"},
+  };
+  for (const Case& bad : cases) {
+    const ProgramResult result = run(bad.arguments);
+    EXPECT_EQ(result.exitCode, 2) << result.err;
+    EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
+  }
+}
+
+TEST(LinesMessages, InkThatCannotBeReachedIsToldWithPictureAndNumbers) {
+  const TemporaryFolder folder;
+  const ProgramResult result = runIn(folder.path(), {"lines", "solid:sphere:20", "-o", "s.json",
+                                                     "--ink", "0.5", "--turntable", "2"});
+  EXPECT_EQ(result.exitCode, 0);
+  for (const char* file : {"s-01.json", "s-02.json"}) {
+    const json stats = json::parse(contentsOf(folder.path() / file))["stats"];
+    EXPECT_EQ(stats["inkReached"], false);
+    std::array<char, 160> line{};
+    std::snprintf(line.data(), line.size(),
+                  "flatland: %s: no thresholds give ink of 0.5; %.4g is as near as it gets\n", file,
+                  stats["ink"].get<double>());
+    EXPECT_NE(result.err.find(line.data()), std::string::npos) << result.err << line.data();
+  }
+}
+
+TEST(LinesMessages, HelpHasExamplesAndEveryFamily) {
+  for (const char* command : {"lines", "fields", "convergence"}) {
+    const ProgramResult result = run({command, "--help"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.out.find("Examples:"), std::string::npos) << command;
+    EXPECT_TRUE(result.err.empty());
+  }
+  const std::string help = run({"lines", "--help"}).out;
+  for (const LineFamily family : allLineFamilies()) {
+    EXPECT_NE(help.find(std::string(nameOf(family))), std::string::npos) << nameOf(family);
+  }
+}
+
+}  // namespace
+}  // namespace flatland::test
