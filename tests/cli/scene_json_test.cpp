@@ -8,18 +8,12 @@
 #include <limits>
 
 #include "flatland/io/read_text.h"
+#include "tests/cli/scene_reading.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/run_program.h"
 
-namespace flatland {
+namespace flatland::test {
 namespace {
-
-using test::contentsOf;
-using test::TemporaryFolder;
-
-constexpr const char* kSmall = R"({"flatland": 1, "curves": [{"bezier": [[0, 1], [2.5, -3]]}]})";
-
-Scene read(const std::string& text) { return sceneFromJson(text, "a.json"); }
 
 /// Bit for bit, so that -0.0 is not 0.0.
 void expectSameBits(const Scene& a, const Scene& b) {
@@ -55,7 +49,7 @@ TEST(SceneJson, ReadsWhatTheFormatSays) {
 }
 
 TEST(SceneJson, ViewAndItsFieldsMayBeMissing) {
-  EXPECT_EQ(read(kSmall).view, (View{0.0, std::nullopt}));
+  EXPECT_EQ(read(kSmallScene).view, (View{0.0, std::nullopt}));
   EXPECT_EQ(read(R"({"flatland":1,"curves":[],"view":{}})").view, View{});
   EXPECT_EQ(read(R"({"flatland":1,"curves":[],"view":{"angleDeg":5}})").view, (View{5.0, {}}));
   EXPECT_EQ(read(R"({"flatland":1,"curves":[],"view":{"distance":null}})").view, View{});
@@ -63,7 +57,7 @@ TEST(SceneJson, ViewAndItsFieldsMayBeMissing) {
 }
 
 TEST(SceneJson, AcceptsAByteOrderMark) {
-  EXPECT_EQ(read(std::string("\xEF\xBB\xBF") + kSmall), read(kSmall));
+  EXPECT_EQ(read(std::string("\xEF\xBB\xBF") + kSmallScene), read(kSmallScene));
 }
 
 TEST(SceneJson, AClosedChainMayRepeatItsFirstPoint) {
@@ -77,9 +71,9 @@ TEST(SceneJson, AClosedChainMayRepeatItsFirstPoint) {
 }
 
 TEST(SceneJson, EveryScenesBitsSurvive) {
-  test::Random random(test::announcedSeed("scene round trip", 20070501));
+  Random random(announcedSeed("scene round trip", 20070501));
   for (int i = 0; i < 2000; ++i) {
-    const Scene scene = test::anyScene(random);
+    const Scene scene = anyScene(random);
     expectSameBits(scene, read(sceneToJson(scene)));
   }
 }
@@ -126,7 +120,7 @@ TEST(SceneJson, IsWrittenForPeople) {
 }
 
 TEST(SceneJson, RefusesToWriteWhatItCouldNotRead) {
-  Scene scene = read(kSmall);
+  Scene scene = read(kSmallScene);
   scene.curves[0].chain().setPoint(1, {0.0, std::nan("")});
   try {
     sceneToJson(scene);
@@ -190,9 +184,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"columnsAreCharacters", "{\"flatl\u00e4nd\": x}", "line 1, column 14",
                  "not valid JSON"},
         BadScene{"afterMark", "\xEF\xBB\xBF?", "line 1, column 1", "not valid JSON"},
-        BadScene{"trailingGarbage", std::string(kSmall) + "\n x", "line 2, column 2",
+        BadScene{"trailingGarbage", std::string(kSmallScene) + "\n x", "line 2, column 2",
                  "expected end of input"},
-        BadScene{"secondValue", std::string(kSmall) + "{}", "line 1, column 61",
+        BadScene{"secondValue", std::string(kSmallScene) + "{}", "line 1, column 61",
                  "expected end of input"},
         BadScene{"nan", scene(R"({"bezier": [[0, NaN], [1, 1]]})"), "line 1, column 44",
                  "not valid JSON"},
@@ -368,235 +362,6 @@ TEST(SceneFile, ErrorsNameTheFile) {
   }
 }
 
-/// A scene of version 2 with one curve.
-std::string newer(const std::string& curve) {
-  return R"({"flatland": 2, "curves": [)" + curve + "]}";
-}
-
-constexpr const char* kEveryNewKind[] = {
-    R"j({"bspline": {"degree": 3, "closed": false, "points": [[0,0],[1,0],[1,1],[0,1],[2,2]],
-         "knots": [0, 0, 0.5, 1, 2, 2.5, 3, 3, 4]}, "flipNormal": true})j",
-    R"j({"bspline": {"degree": 2, "closed": true, "points": [[0,0],[1,0],[1,1],[0,1]]}})j",
-    R"j({"rational": {"points": [[1,0],[1,1],[0,1]], "weights": [1, 0.7071067811865476, 1]}})j",
-    R"j({"rational": {"degree": 2, "closed": true, "points": [[1,0],[1,1],[0,1],[-1,-1]],
-         "weights": [1, 2, 3, 4]}})j",
-    R"j({"family": {"name": "ellipse", "parameters": {"a": 1, "b": 1.4}}})j",
-    R"j({"family": {"name": "cycloid", "parameters": {"r": 1, "d": 0, "n": 2}, "at": [0.1, -2]}})j",
-    R"j({"formula": {"x": "cos(t)", "y": "a*sin(2*t)", "from": 0, "to": "2*pi",
-         "constants": {"a": 0.1}}})j",
-    R"j({"formula": {"x": "t", "y": "1e3", "from": -1.5, "to": 1e-7, "at": [1, 2]}})j",
-};
-
-TEST(SceneJson, EveryNewKindSurvives) {
-  for (const char* curve : kEveryNewKind) {
-    const Scene scene = read(newer(curve));
-    const std::string text = sceneToJson(scene);
-    EXPECT_EQ(read(text), scene) << text;
-    EXPECT_EQ(sceneToJson(read(text)), text);
-    EXPECT_NE(text.find("\"flatland\": 2"), std::string::npos);
-  }
-  const Scene spline = read(newer(kEveryNewKind[0]));
-  EXPECT_TRUE(spline.curves[0].flipNormal);
-  EXPECT_EQ(std::get<BSpline>(spline.curves[0].shape).knots()[2], 0.5);
-  const Scene ellipse = read(newer(kEveryNewKind[4]));
-  EXPECT_EQ(std::get<FormulaCurve>(ellipse.curves[0].shape).family()->parameters,
-            (std::vector<double>{1.0, 1.4}));
-}
-
-TEST(SceneJson, IsOfVersion1UnlessItNeedsMore) {
-  EXPECT_EQ(sceneToJson(read(newer(R"({"bezier": [[0, 1], [2.5, -3]]})"))),
-            sceneToJson(read(kSmall)));
-}
-
-/// A scene of version 3 whose surface has these keys beside the mesh.
-std::string surface(const std::string& keys) {
-  return R"({"flatland": 3, "curves": [], "surface": {"mesh": "solid:torus")" + keys + "}}";
-}
-
-SurfaceSetting anySurface() {
-  SurfaceSetting setting;
-  setting.mesh = "solid:torus";
-  setting.camera.towards = Eigen::Vector3d(1.0, 2.0, -3.0).normalized();
-  setting.camera.up = {0.1, 1.0, 0.0};
-  setting.camera.centre = {0.1, -0.2, 1.0 / 3.0};
-  setting.camera.zoom = 2.5;
-  setting.camera.perspectiveDeg = 40.0;
-  setting.savedCameras = {{"Side \"A\"", {}}, {"other", setting.camera}};
-  setting.families = {{"apparent-ridges", true, 0.7, "#d55e00", 2.2, false},
-                      {"valleys", false, 1.0 / 7.0, "", 1.0, true}};
-  setting.style = "colours";
-  setting.quantity = "offset";
-  setting.hidden = "dashed";
-  setting.unfiltered = true;
-  setting.isophotes = 7;
-  setting.heights = 31;
-  setting.fitScale = 1.75;
-  return setting;
-}
-
-TEST(SceneJson, ASurfaceSurvives) {
-  Scene scene = read(kSmall);
-  scene.surface = anySurface();
-  const std::string text = sceneToJson(scene);
-  EXPECT_NE(text.find("\"flatland\": 3"), std::string::npos) << text;
-  EXPECT_EQ(read(text), scene) << text;
-  EXPECT_EQ(sceneToJson(read(text)), text);
-  scene.surface = SurfaceSetting{};
-  scene.surface->mesh = "solid:sphere";
-  EXPECT_EQ(read(sceneToJson(scene)), scene);
-  EXPECT_EQ(read(surface("")).surface->style, SurfaceSetting{}.style);
-}
-
-// What is usual for a family is known above; 0 would be another threshold.
-TEST(SceneJson, AFamilyNeedNotSayMoreThanItsName) {
-  const Scene scene = read(surface(R"(, "families": [{"name": "creases"}])"));
-  const SurfaceFamily& family = scene.surface->families.at(0);
-  EXPECT_FALSE(family.threshold);
-  EXPECT_TRUE(family.on && family.fade && family.colour.empty() && family.widthPx == 1.6);
-  EXPECT_EQ(read(sceneToJson(scene)), scene);
-  const Scene zero = read(surface(R"(, "families": [{"name": "creases", "threshold": 0}])"));
-  EXPECT_EQ(zero.surface->families.at(0).threshold, 0.0);
-  EXPECT_EQ(read(sceneToJson(zero)), zero);
-}
-
-TEST(SceneJson, FurtherViewsSweptSurfaceAndPlaneSurvive) {
-  Scene scene = read(kSmall);
-  scene.surface = anySurface();
-  using Names = std::vector<std::string>;
-  SurfacePane elsewhere{Names{"valleys", "contours"}, "one-ring", "difference", SurfaceCamera{}};
-  elsewhere.camera->zoom = 1.0 / 3.0;
-  // No families are something else than those of the first view.
-  scene.surface->panes = {elsewhere, {Names{}}, {}};
-  scene.surface->upAxis = "-z";
-  scene.surface->ink = 0.03;
-  scene.surface->mesh = kSweptMesh;
-  scene.surface->swept = SweptSetting{"revolution", 3, -0.1, 17};
-  scene.surface->plane =
-      SurfacePlane{{0.1, 0.2, 0.3}, Eigen::Vector3d(1.0, -2.0, 3.0).normalized()};
-  const std::string text = sceneToJson(scene);
-  EXPECT_NE(text.find("\"flatland\": 4"), std::string::npos) << text;
-  EXPECT_EQ(read(text), scene) << text;
-  EXPECT_EQ(sceneToJson(read(text)), text);
-
-  const test::TemporaryFolder folder;
-  saveScene(scene, folder.path() / "scene.json");
-  EXPECT_EQ(loadScene(folder.path() / "scene.json"), scene);
-}
-
-TEST(SceneJson, TheMeshGoesWithTheSceneFile) {
-  const test::TemporaryFolder folder;
-  Scene scene = read(kSmall);
-  scene.surface = SurfaceSetting{};
-  scene.surface->mesh = (folder.path() / "meshes" / "cow.obj").string();
-  const std::filesystem::path file = folder.path() / "scene.json";
-  saveScene(scene, file);
-  EXPECT_EQ(read(readFile(file, 1 << 20)).surface->mesh, "meshes/cow.obj");
-  EXPECT_EQ(loadScene(file).surface->mesh, scene.surface->mesh);
-  scene.surface->mesh = "solid:torus";
-  saveScene(scene, file);
-  EXPECT_EQ(loadScene(file).surface->mesh, "solid:torus");
-}
-
-TEST(SceneJson, SaysWhatIsWrongWithASurface) {
-  const struct {
-    std::string text, place, reason;
-  } cases[] = {
-      {R"({"flatland": 2, "curves": [], "surface": {"mesh": "a.ply"}})", "surface",
-       "came with version 3"},
-      {R"({"flatland": 3, "curves": [], "surface": {}})", "surface", "missing \"mesh\""},
-      {R"({"flatland": 3, "curves": [], "surface": {"mesh": ""}})", "surface.mesh",
-       "expected a file"},
-      {surface(R"(, "colour": 1)"), "surface", "unknown key \"colour\""},
-      {surface(R"(, "camera": {"zoom": 0})"), "surface.camera.zoom", "above 0"},
-      {surface(R"(, "camera": {"towards": [0, 0, 0]})"), "surface.camera.towards", "direction"},
-      {surface(R"(, "camera": {"towards": [0, 2, 0]})"), "surface.camera", "lies along"},
-      {surface(R"(, "camera": {"towards": [1, 2]})"), "surface.camera.towards", "three numbers"},
-      {surface(R"(, "camera": {"perspectiveDeg": 179.5})"), "surface.camera.perspectiveDeg",
-       "from 0.1 to 179"},
-      {surface(R"(, "camera": {"perspectiveDeg": 0})"), "surface.camera.perspectiveDeg",
-       "from 0.1 to 179"},
-      {surface(R"(, "families": [{"name": "a", "threshold": -1}])"),
-       "surface.families[0].threshold", "0 or above"},
-      {surface(R"(, "families": [{"name": "a"}, {"name": "a"}])"), "surface.families[1]",
-       "of this name"},
-      {surface(R"(, "families": [{"name": "a", "colour": "red"}])"), "surface.families[0].colour",
-       "a colour like"},
-      {surface(R"(, "families": [{"name": "a", "widthPx": 0}])"), "surface.families[0].widthPx",
-       "above 0"},
-      {surface(R"(, "isophotes": 0)"), "surface.isophotes", "1 to 1000"},
-      {surface(R"(, "ink": 0.1)"), "surface", "came with version 4"},
-      {surface(R"(, "ink": 1.1)"), "surface.ink", "at most 1"},
-      {surface(R"(, "upAxis": "z")"), "surface", "came with version 4"},
-      {surface(R"(, "upAxis": "w")"), "surface.upAxis", "x, -x, y, -y, z or -z"},
-      {surface(R"(, "panes": [{}, {}, {}, {}])"), "surface.panes", "more than 3"},
-      {surface(R"(, "plane": {"point": [0, 0, 0], "normal": [0, 0, 0]})"), "surface.plane.normal",
-       "a direction"},
-      {surface(R"(, "swept": {"kind": "extrusion", "amount": 1})"), "surface", "belong together"},
-      {surface(R"(, "swept": {"kind": "loft", "amount": 1})"), "surface.swept.kind",
-       "extrusion or revolution"},
-      {surface(R"(, "swept": {"kind": "extrusion", "amount": 0})"), "surface.swept.amount",
-       "above 0"},
-      {surface(R"(, "swept": {"kind": "extrusion", "amount": 1, "cells": 2})"),
-       "surface.swept.cells", "3 to 1000"},
-      {surface(R"(, "fitScale": 0.5)"), "surface.fitScale", "at least 1"},
-  };
-  for (const auto& one : cases) {
-    try {
-      read(one.text);
-      ADD_FAILURE() << "read " << one.text;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.place(), one.place) << one.text;
-      EXPECT_NE(std::string(error.what()).find(one.reason), std::string::npos) << error.what();
-    }
-  }
-}
-
-TEST(SceneJson, SaysWhatIsWrongWithANewKind) {
-  const auto expectError = [](const std::string& text, const std::string& place,
-                              const std::string& reason) {
-    try {
-      read(text);
-      ADD_FAILURE() << "read " << text;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.place(), place) << text;
-      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
-    }
-  };
-  expectError(R"({"flatland": 1, "curves": [{"family": {}}]})", "curves[0]",
-              "came with version 2; write \"flatland\": 2");
-  expectError(newer("{}"), "curves[0]", "missing \"bezier\"");
-  expectError(newer(R"({"bspline": {"points": []}})"), "curves[0].bspline", "missing \"degree\"");
-  expectError(newer(R"({"bspline": {"degree": 17, "points": []}})"), "curves[0].bspline.degree",
-              "above 16");
-  expectError(newer(R"({"bspline": {"degree": 2, "points": [[0,0],[1,1]]}})"), "curves[0].bspline",
-              "at least 3 points, found 2");
-  expectError(newer(R"({"bspline": {"degree": 1, "points": [[0,0],[1,1]], "knots": [0,0,1]}})"),
-              "curves[0].bspline", "expected 4 knots");
-  expectError(newer(R"({"rational": {"points": [[0,0],[1,1]], "weights": [1, 0]}})"),
-              "curves[0].rational", "weight 1 is not above 0");
-  expectError(newer(R"({"rational": {"points": [[0,0],[1,1]], "weights": [1]}})"),
-              "curves[0].rational", "expected 2 weights");
-  expectError(newer(R"({"rational": {"closed": true, "points": [], "weights": []}})"),
-              "curves[0].rational", "missing \"degree\"");
-  expectError(newer(R"({"family": {"name": "oval", "parameters": {}}})"), "curves[0].family.name",
-              "known: circle, ellipse");
-  expectError(newer(R"({"family": {"name": "circle", "parameters": {}}})"),
-              "curves[0].family.parameters", "missing \"r\"");
-  expectError(newer(R"({"family": {"name": "circle", "parameters": {"r": 1, "b": 1}}})"),
-              "curves[0].family.parameters", "known here: r");
-  expectError(newer(R"({"family": {"name": "circle", "parameters": {"r": 0}}})"),
-              "curves[0].family.parameters", "r must be from");
-  expectError(newer(R"({"formula": {"x": "t", "y": "2 t", "from": 0, "to": 1}})"),
-              "curves[0].formula.y", "column 3: ");
-  expectError(newer(R"({"formula": {"x": "1/t", "y": "t", "from": 0, "to": 1}})"),
-              "curves[0].formula.x", "at t = 0");
-  expectError(newer(R"({"formula": {"x": "t", "y": "t", "from": 0, "to": true}})"),
-              "curves[0].formula.to", "expected a number or a string");
-  expectError(
-      newer(R"({"formula": {"x": "t", "y": "t", "from": 0, "to": 1, "constants": {"t": 1}}})"),
-      "curves[0].formula.constants", "taken");
-}
-
 TEST(SceneFile, ABadSceneLeavesTheOldFile) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "scene.json";
@@ -608,4 +373,4 @@ TEST(SceneFile, ABadSceneLeavesTheOldFile) {
 }
 
 }  // namespace
-}  // namespace flatland
+}  // namespace flatland::test
