@@ -2,11 +2,9 @@
 #include "ui/export/flat_figure.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <tuple>
 
+#include "ui/export/flat_layers.h"
 #include "ui/export/flat_parts.h"
 #include "ui/export/label_placement.h"
 
@@ -27,43 +25,7 @@ const Vec2 kLetterHalf(4.5, 6.0);
 constexpr std::size_t kLetteredMarks = 40;
 constexpr double kTolerancePx = 0.02;  // of cubics standing for other curves
 
-// From the bottom to the top.
-enum class Layer { ControlPolygon, Rays, Sight, Curve, Screen, Image, Marks, Letters, Viewer };
-
-std::string_view layerName(Layer layer) {
-  switch (layer) {
-    case Layer::ControlPolygon:
-      return "control-polygon";
-    case Layer::Rays:
-      return "rays";
-    case Layer::Sight:
-      return "sight";
-    case Layer::Curve:
-      return "curve";
-    case Layer::Screen:
-      return "screen";
-    case Layer::Image:
-      return "image";
-    case Layer::Marks:
-      return "marks";
-    case Layer::Letters:
-      return "letters";
-    case Layer::Viewer:
-      return "viewer";
-  }
-  return "";
-}
-
-/// Wide lines below, what is small and exact on top.
-int drawingOrder(MarkKind kind) {
-  constexpr std::array<MarkKind, kMarkKindCount> kOrder{
-      MarkKind::ApparentRidge, MarkKind::ApparentMinimum, MarkKind::Flat,   MarkKind::Silhouette,
-      MarkKind::Ridge,         MarkKind::Valley,          MarkKind::Corner, MarkKind::Inflection};
-  return static_cast<int>(std::find(kOrder.begin(), kOrder.end(), kind) - kOrder.begin());
-}
-
-/// Builds the figure of one scene. The parts may come in any order: groups are sorted by layer,
-/// hidden before seen, and family.
+/// Builds the figure of one scene. The parts may come in any order (FlatLayers).
 class Builder {
  public:
   Builder(const Scene& scene, const FeatureSet& features, const Visibility& visibility,
@@ -95,33 +57,12 @@ class Builder {
   }
 
  private:
-  using Key = std::tuple<Layer, bool, int>;  // the bool: not hidden
-
   bool shows(const Mark& mark) const {
     return contains(options_.kinds, mark.kind) && (mark.visible || showsHidden());
   }
   bool showsHidden() const { return options_.hidden == FlatFigureOptions::Hidden::Pale; }
   Rgb shade(Rgb colour, bool visible) const {
     return visible ? colour : paler(colour, colours_.background);
-  }
-
-  FigureGroup& group(Layer layer, bool visible = true) {
-    FigureGroup& found = groups_[{layer, visible, -1}];
-    if (found.id.empty()) {
-      found.id = std::string(layerName(layer)) + (visible ? "" : "-hidden");
-      found.classes = std::string(layerName(layer)) + (visible ? "" : " hidden");
-    }
-    return found;
-  }
-
-  FigureGroup& group(Layer layer, const Mark& mark) {
-    FigureGroup& found = groups_[{layer, mark.visible, drawingOrder(mark.kind)}];
-    if (found.id.empty()) {
-      const std::string kind(nameOf(mark.kind));
-      found.id = std::string(layerName(layer)) + "-" + kind + (mark.visible ? "" : "-hidden");
-      found.classes = std::string(layerName(layer)) + " " + kind + (mark.visible ? "" : " hidden");
-    }
-    return found;
   }
 
   /// A straight line, cut to the figure and a little beyond; nothing if it lies outside.
@@ -159,7 +100,7 @@ class Builder {
 
   void addControlPolygons() {
     if (!options_.controlPolygon) return;
-    FigureGroup& to = group(Layer::ControlPolygon);
+    FigureGroup& to = layers_.group(FlatLayer::ControlPolygon);
     const Stroke line{.colour = colours_.controlPolygon, .width = 1.0};
     for (const SceneCurve& curve : scene_.curves) {
       const std::vector<Vec2>& points = controlPoints(curve.shape);
@@ -241,11 +182,10 @@ class Builder {
     if (path.verbs.empty()) return;
     const bool whole = isClosed(shape) && tLow <= 0.0 && tHigh >= pieceCount(shape);
     if (whole && (path.points.front() - path.points.back()).norm() < 1e-6) path.close();
-    group(Layer::Curve, visible)
+    layers_.group(FlatLayer::Curve, visible)
         .shapes.emplace_back(PathShape{std::move(path), std::nullopt,
                                        Stroke{.colour = shade(colours_.curve, visible),
                                               .width = kCurveWidthPx,
-
                                               .roundCaps = true}});
   }
 
@@ -275,7 +215,7 @@ class Builder {
   }
 
   void addScreen() {
-    addLine(group(Layer::Screen), onScreen(screen_.low), onScreen(screen_.high),
+    addLine(layers_.group(FlatLayer::Screen), onScreen(screen_.low), onScreen(screen_.high),
             {.colour = colours_.screen, .width = kScreenWidthPx, .roundCaps = true});
   }
 
@@ -297,7 +237,7 @@ class Builder {
     const double a = std::clamp(*low, screen_.low, screen_.high);
     const double b = std::clamp(*high, screen_.low, screen_.high);
     if (a < b) {
-      addLine(group(Layer::Image), onScreen(a), onScreen(b),
+      addLine(layers_.group(FlatLayer::Image), onScreen(a), onScreen(b),
               {.colour = colours_.screen, .width = kImageWidthPx});
     }
   }
@@ -313,7 +253,7 @@ class Builder {
     const MarkStyle& style = styleOf(mark.kind, options_.palette);
     const Vec2 at = toFigure_(mark.point);
     if (isInside(at)) {
-      group(Layer::Marks, mark)
+      layers_.group(FlatLayer::Marks, mark)
           .shapes.emplace_back(markSymbol(mark.kind, at, kSymbolSizePx, acrossRad(mark),
                                           options_.palette, !mark.visible));
     }
@@ -325,19 +265,19 @@ class Builder {
         .colour = colour, .width = style.lineWidth, .dash = style.dash, .roundCaps = true};
     const Vec2 along = (seen - at).normalized();
     if (mark.kind == MarkKind::ApparentRidge) {
-      addLine(group(Layer::Rays, mark), at, seen, ray);
-      addLine(group(Layer::Marks, mark), seen, seen + kRidgeOvershootPx * along, ray);
+      addLine(layers_.group(FlatLayer::Rays, mark), at, seen, ray);
+      addLine(layers_.group(FlatLayer::Marks, mark), seen, seen + kRidgeOvershootPx * along, ray);
     } else {
-      addLine(group(Layer::Rays, mark), at, seen, ray);
+      addLine(layers_.group(FlatLayer::Rays, mark), at, seen, ray);
       if (isInside(seen)) {
-        group(Layer::Marks, mark)
+        layers_.group(FlatLayer::Marks, mark)
             .shapes.emplace_back(markSymbol(mark.kind, seen, kScreenSymbolPx,
                                             std::atan2(towards_.y(), towards_.x()),
                                             options_.palette, !mark.visible));
       }
     }
     if (frame_.distance && mark.visible && showsViewer(scene_, screen_)) {
-      addLine(group(Layer::Sight), seen, toFigure_(frame_.eye()),
+      addLine(layers_.group(FlatLayer::Sight), seen, toFigure_(frame_.eye()),
               {.colour = colours_.faint, .width = 0.8});
     }
   }
@@ -387,7 +327,8 @@ class Builder {
       const Vec2 at = toFigure_(mark->point);
       const auto place = crowded ? placer.placeFree(at, kLetterHalf, -towards_)
                                  : std::optional(placer.place(at, kLetterHalf, -towards_));
-      if (place) group(Layer::Letters, *mark).shapes.emplace_back(letterOf(*mark, *place));
+      if (place)
+        layers_.group(FlatLayer::Letters, *mark).shapes.emplace_back(letterOf(*mark, *place));
     }
   }
 
@@ -442,7 +383,7 @@ class Builder {
     for (std::size_t i = 0; i < letters.size(); ++i) {
       const Vec2 seen = onScreen(wanted[i] / unit);
       const Vec2 place = onScreen(placed[i] / unit) + kLetterOffPx * towards_;
-      FigureGroup& to = group(Layer::Letters, *letters[i].mark);
+      FigureGroup& to = layers_.group(FlatLayer::Letters, *letters[i].mark);
       constexpr double kLeaderFromPx = 4.0;  // displaced by more, a letter gets a leader
       if (std::abs(placed[i] - wanted[i]) > kLeaderFromPx) {
         const MarkStyle& style = styleOf(letters[i].mark->kind, options_.palette);
@@ -464,7 +405,7 @@ class Builder {
     ball.addCircle(eye, kBallPx);
     PathData pupil;
     pupil.addCircle(eye - (kBallPx - kPupilPx) * towards_, kPupilPx);
-    FigureGroup& to = group(Layer::Viewer);
+    FigureGroup& to = layers_.group(FlatLayer::Viewer);
     to.shapes.emplace_back(PathShape{std::move(ball), colours_.background,
                                      Stroke{.colour = colours_.text, .width = 1.5}});
     to.shapes.emplace_back(PathShape{std::move(pupil), colours_.text, std::nullopt});
@@ -474,9 +415,7 @@ class Builder {
     Figure figure{
         .width = options_.width, .height = options_.height, .background = {}, .groups = {}};
     if (!options_.transparent) figure.background = colours_.background;
-    for (auto& [key, group] : groups_) {
-      if (!group.shapes.empty()) figure.groups.push_back(std::move(group));
-    }
+    figure.groups = layers_.taken();
     FigureGroup legendGroup = legend(scene_, options_);
     if (!legendGroup.shapes.empty()) figure.groups.push_back(std::move(legendGroup));
     return figure;
@@ -491,7 +430,7 @@ class Builder {
   ScreenLine screen_;
   FigureTransform toFigure_;
   Vec2 axis_, towards_;  // of the view, in the figure
-  std::map<Key, FigureGroup> groups_;
+  FlatLayers layers_;
 };
 
 }  // namespace
