@@ -5,8 +5,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
+#include "ui/export/line_style.h"
 #include "ui/export/mark_style.h"
 
 namespace flatland::ui {
@@ -87,6 +89,22 @@ TEST(Palettes, FamiliesStayApartInEveryKindOfColourBlindness) {
           EXPECT_GE(distance, ground.least)
               << vision.name << ": " << nameOf(a) << ", " << nameOf(b);
         }
+      }
+    }
+  }
+}
+
+// Grounds are white and near black: what is told apart there is told apart in the panel of lines.
+TEST(Palettes, LineFamiliesDiffer) {
+  constexpr int kLeastSum = 24;  // of differences of red, green and blue
+  for (const Ground& ground : kGrounds) {
+    for (const LineFamily a : allLineFamilies()) {
+      for (const LineFamily b : allLineFamilies()) {
+        // Outlines are contours, drawn as such.
+        if (a >= b || a == LineFamily::ExteriorSilhouette) continue;
+        const Rgb p = lineColour(a, ground.palette), q = lineColour(b, ground.palette);
+        EXPECT_GE(std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b), kLeastSum)
+            << nameOf(a) << ", " << nameOf(b);
       }
     }
   }

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "tests/ui/support_bridging.h"
+#include "ui/app/file_controller.h"
 #include "ui/app/layouts.h"
 #include "ui/app/surface_controller.h"
 #include "ui/commands/scene_commands.h"
@@ -39,6 +40,23 @@ class BridgingTest : public QObject, private BridgingWindow {
  private slots:
   void init() { open(); }
   void cleanup() { close(); }
+
+  void extrudingAgainIsNoStep() {
+    WindowDriver& d = *driver_;
+    extrude();
+    QVERIFY(d.window().files().saveTo(d.path("own.json")));
+    const SurfaceCamera first = camera();
+    dragSurface({200, 200}, {260, 220});
+    QVERIFY(!(camera() == first));
+    const int steps = d.document().undoStack().count();
+    const bool modified = d.document().isModified();
+    extrude();
+    QCOMPARE(d.document().undoStack().count(), steps);
+    QCOMPARE(d.document().isModified(), modified);
+    d.trigger("surface.revolve");
+    QVERIFY(quiet());
+    QCOMPARE(d.document().undoStack().count(), steps + 1);
+  }
 
   void theSurfaceFollowsTheCurve() {
     WindowDriver& d = *driver_;

@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPainter>
 #include <QSvgRenderer>
 #include <QToolButton>
@@ -268,6 +269,31 @@ class LessonTest : public QObject {
     whenModal([](QWidget& dialog) { static_cast<QDialog&>(dialog).reject(); });
     d.trigger("file.new");
     QVERIFY2(d.window().lesson().isOpen(), "unsaved work, the question cancelled");
+  }
+
+  void theSceneOfALessonCanBeSavedBeforeItGoes() {
+    WindowDriver& d = *driver_;
+    QVERIFY(d.window().files().saveTo(d.path("own.json")));
+    const Scene own = d.scene();
+    d.trigger("lesson.shipped.silhouette");
+    d.drag(d.atPoint(2), d.atPoint(2) + QPoint(40, 25));
+    const Scene edited = d.scene();
+    QVERIFY(!(edited == own));
+    QString question;
+    whenModal([&](QWidget& dialog) {
+      auto& box = static_cast<QMessageBox&>(dialog);
+      question = box.text();
+      typeFileName(d.path("step.json"));
+      QTest::mouseClick(box.button(QMessageBox::Save), Qt::LeftButton);
+    });
+    d.trigger("file.new");
+    QVERIFY2(question.contains("lesson"), qPrintable(question));
+    QVERIFY(!d.window().lesson().isOpen());
+    // The own scene was saved and is not asked about; its file is as it was.
+    d.document().open(d.path("own.json").toStdString());
+    QVERIFY(d.scene() == own);
+    d.document().open(d.path("step.json").toStdString());
+    QVERIFY(d.scene() == edited);
   }
 
   void savingSavesTheOwnScene() {

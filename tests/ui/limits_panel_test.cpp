@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QStyle>
@@ -181,6 +182,29 @@ class LimitsPanelTest : public QObject {
     QFile written(name);
     QVERIFY(written.open(QIODevice::ReadOnly));
     QCOMPARE(written.readAll(), QByteArray::fromStdString(shown));
+  }
+
+  // The dialog asks about the name as typed; what is written has a suffix too.
+  void aFileInTheWayOfANameWithoutSuffixIsAskedAbout() {
+    WindowDriver& d = *driver_;
+    QFile mine(d.path("keep.svg"));
+    QVERIFY(mine.open(QIODevice::WriteOnly));
+    mine.write("mine");
+    mine.close();
+    bool asked = false;
+    typeFileName(d.path("keep"), [&asked] {
+      whenModal(
+          [&asked](QWidget& dialog) {
+            auto& box = static_cast<QMessageBox&>(dialog);
+            asked = box.text().contains("keep.svg");
+            QTest::mouseClick(box.button(QMessageBox::No), Qt::LeftButton);
+          },
+          [](QWidget& dialog) { return qobject_cast<QMessageBox*>(&dialog) != nullptr; });
+    });
+    QTest::mouseClick(&d.child<QPushButton>("limits.export"), Qt::LeftButton);
+    QVERIFY(asked);
+    QVERIFY(mine.open(QIODevice::ReadOnly));
+    QCOMPARE(mine.readAll(), QByteArray("mine"));
   }
 
  private:

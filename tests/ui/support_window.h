@@ -136,15 +136,16 @@ class WindowDriver {
   bool ready_ = false;
 };
 
-/// Waits for the dialog that the next action opens, and deals with it once. The action's own event
-/// loop runs meanwhile.
+/// Waits for the dialog that the next action opens, and that is `wanted`, and deals with it once.
+/// The action's own event loop runs meanwhile.
 template <class Deal>
-void whenModal(Deal deal) {
+void whenModal(
+    Deal deal, const std::function<bool(QWidget&)>& wanted = [](QWidget&) { return true; }) {
   auto* timer = new QTimer(qApp);
   timer->setInterval(20);
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, deal] {
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, deal, wanted] {
     QWidget* modal = QApplication::activeModalWidget();
-    if (!modal || !modal->isVisible()) return;
+    if (!modal || !modal->isVisible() || !wanted(*modal)) return;
     timer->stop();
     timer->deleteLater();
     deal(*modal);

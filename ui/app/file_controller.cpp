@@ -11,12 +11,14 @@
 #include <typeinfo>
 
 #include "flatland/io/input_error.h"
+#include "flatland/io/scene_json.h"
 #include "ui/app/message_bar.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/import/shown_svg.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/core_words.h"
 #include "ui/model/paths.h"
+#include "ui/panels/save_name.h"
 
 namespace flatland::ui {
 
@@ -26,6 +28,7 @@ constexpr char kRecentKey[] = "files/recent";
 constexpr char kSuffix[] = ".json";
 
 QString filter() { return FileController::tr("Flatland scenes (*.json);;All files (*)"); }
+QStringList filters() { return filter().split(";;"); }
 
 }  // namespace
 
@@ -88,22 +91,25 @@ bool FileController::save() {
 }
 
 bool FileController::saveAs() {
-  QString name =
-      QFileDialog::getSaveFileName(&window_, tr("Save scene as"), suggestedName(), filter());
-  if (name.isEmpty()) return false;
-  if (QFileInfo(name).suffix().isEmpty()) {
-    name += kSuffix;
-    if (!mayReplace(name)) return false;
-  }
-  return saveTo(name);
+  const QString name = askSaveName(&window_, tr("Save scene as"), suggestedName(), filters());
+  return !name.isEmpty() && saveTo(name);
 }
 
-bool FileController::mayReplace(const QString& name) {
-  if (!QFileInfo::exists(name)) return true;
-  return QMessageBox::question(&window_, tr("Replace file"),
-                               tr("%1 exists. Replace it?").arg(QFileInfo(name).fileName())) ==
-         QMessageBox::Yes;
+bool FileController::saveLessonScene() {
+  const QString name =
+      askSaveName(&window_, tr("Save scene as"), tr("lesson") + kSuffix, filters());
+  if (name.isEmpty()) return false;
+  try {
+    saveScene(document_.scene(), toPath(name));
+  } catch (const InputError& error) {
+    messages_.showError(errorForPeople(error));
+    return false;
+  }
+  remember(name);
+  return true;
 }
+
+bool FileController::mayReplace(const QString& name) { return ui::mayReplace(&window_, name); }
 
 bool FileController::saveTo(const QString& name) {
   emit aboutToUseFile();
@@ -132,23 +138,37 @@ QString whatReplacedIt(const QUndoStack& stack) {
 
 }  // namespace
 
+QMessageBox::StandardButton FileController::askToSave(const QString& question,
+                                                      const QString& otherwise) {
+  QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), question,
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+  box.setObjectName("unsaved");
+  box.setInformativeText(otherwise);
+  box.setDefaultButton(QMessageBox::Save);
+  return static_cast<QMessageBox::StandardButton>(box.exec());
+}
+
 bool FileController::mayDiscard() {
-  if (!(hasUnsavedWork_ ? hasUnsavedWork_() : document_.isModified())) {
+  const bool unsaved = hasUnsavedWork_ ? hasUnsavedWork_() : document_.isModified();
+  if (hasLessonEdits_ && hasLessonEdits_()) {
+    const auto answer = askToSave(tr("Save the scene of the lesson as you changed it?"),
+                                  tr("It is lost otherwise. Your own scene stays as it was."));
+    if (answer == QMessageBox::Cancel) return false;
+    if (answer == QMessageBox::Save && !saveLessonScene()) return false;
+    emit aboutToUseFile();
+  }
+  if (!unsaved) {
     emit aboutToUseFile();
     return true;
   }
   // Another scene in the place of the one with that name is no change of it.
   const QString replaced = whatReplacedIt(document_.undoStack());
-  QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
-                  replaced.isEmpty() ? tr("Save the changes to %1?").arg(shownName(document_))
-                                     : tr("Save the scene that took the place of %1 (%2)?")
-                                           .arg(shownName(document_), replaced),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
-  box.setObjectName("unsaved");
-  box.setInformativeText(replaced.isEmpty() ? tr("They are lost otherwise.")
-                                            : tr("It is lost otherwise."));
-  box.setDefaultButton(QMessageBox::Save);
-  switch (box.exec()) {
+  const auto answer =
+      askToSave(replaced.isEmpty() ? tr("Save the changes to %1?").arg(shownName(document_))
+                                   : tr("Save the scene that took the place of %1 (%2)?")
+                                         .arg(shownName(document_), replaced),
+                replaced.isEmpty() ? tr("They are lost otherwise.") : tr("It is lost otherwise."));
+  switch (answer) {
     case QMessageBox::Save:
       return save();
     case QMessageBox::Discard:

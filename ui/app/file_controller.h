@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QMessageBox>
 #include <QObject>
 #include <QStringList>
 #include <functional>
@@ -43,6 +44,10 @@ class FileController : public QObject {
   /// What mayDiscard() asks instead of Document::isModified(): a lesson is no work of the person's.
   void setUnsavedWork(std::function<bool()> has) { hasUnsavedWork_ = std::move(has); }
 
+  /// Whether a lesson is open whose scene was changed: mayDiscard() offers to save that scene too,
+  /// which is not the person's own.
+  void setLessonEdits(std::function<bool()> has) { hasLessonEdits_ = std::move(has); }
+
   /// True if there is no such file, or the person says it may be replaced.
   bool mayReplace(const QString& name);
 
@@ -59,6 +64,10 @@ class FileController : public QObject {
   void recentFilesChanged();
 
  private:
+  /// Of Save, Discard and Cancel.
+  QMessageBox::StandardButton askToSave(const QString& question, const QString& otherwise);
+  /// Asks for a name and writes what is shown, whatever the document's own file is.
+  bool saveLessonScene();
   void forget(const QString& name);
   void setRecent(const QStringList& names);
   QString suggestedName() const;
@@ -67,7 +76,7 @@ class FileController : public QObject {
   Document& document_;
   MessageBar& messages_;
   QSettings* settings_;
-  std::function<bool()> hasUnsavedWork_;
+  std::function<bool()> hasUnsavedWork_, hasLessonEdits_;
   std::function<bool(const QString&)> other_;
 };
 

@@ -193,6 +193,7 @@ void MainWindow::connectParts() {
   // A file is about the person's own scene, never about a step's.
   connect(files_, &FileController::aboutToUseFile, &lesson_, &LessonModel::leave);
   files_->setUnsavedWork([this] { return lesson_.hasUnsavedWork(); });
+  files_->setLessonEdits([this] { return lesson_.hasEdits(); });
   connect(edits_, &EditController::refused, status_, &StatusLine::say);
   connect(&document_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
   connect(&document_, &Document::changed, this, [this](const Change& change) {

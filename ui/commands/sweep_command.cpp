@@ -23,10 +23,15 @@ void sweepCurve(Document& document, std::size_t curve, SweptSurface::Kind kind) 
   const SurfaceSetting setting = sweptSetting(document.scene(), curve, kind);
   View view = document.scene().view;
   if (revolution) view.angleDeg = setting.camera.towards.y() < 0.0 ? -90.0 : 90.0;
-  document.undoStack().beginMacro(text);
-  document.push(std::make_unique<SetView>(document, view));
-  document.push(std::make_unique<SetSurface>(document, setting, text));
-  document.undoStack().endMacro();
+  // The same again is no step: it only brings the camera back.
+  const bool isNew = !document.scene().surface || !(document.scene().view == view) ||
+                     !(withCamera(*document.scene().surface, setting.camera) == setting);
+  if (isNew) {
+    document.undoStack().beginMacro(text);
+    document.push(std::make_unique<SetView>(document, view));
+    document.push(std::make_unique<SetSurface>(document, setting, text));
+    document.undoStack().endMacro();
+  }
   // A surface that was swept before has kept its cameras.
   for (std::size_t pane = 0; pane < paneCount(setting); ++pane) {
     document.setCamera(paneCamera(setting, pane), pane);

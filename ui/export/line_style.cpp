@@ -16,7 +16,7 @@ Rgb lineColour(LineFamily family, Palette palette) {
     case LineFamily::SuggestiveContours:
       return mark(MarkKind::Inflection);
     case LineFamily::SuggestiveHighlights:
-      return {0x56, 0xB4, 0xE9};
+      return dark ? Rgb{0xC4, 0xE6, 0xFF} : Rgb{0x56, 0xB4, 0xE9};
     case LineFamily::ApparentRidges:
       return mark(MarkKind::ApparentRidge);
     case LineFamily::PrincipalHighlights:

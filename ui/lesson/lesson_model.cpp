@@ -69,9 +69,11 @@ bool LessonModel::onlyStepsSince(const Own& own) const {
 }
 
 bool LessonModel::hasUnsavedWork() const {
-  if (!lesson_ || !onlyStepsSince(*own_)) return document_.isModified();
+  if (!lesson_) return document_.isModified();
   return document_.undoStack().cleanIndex() != own_->undoIndex;
 }
+
+bool LessonModel::hasEdits() const { return lesson_ && !onlyStepsSince(*own_); }
 
 void LessonModel::leave() {
   if (!lesson_) return;

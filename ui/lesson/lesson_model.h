@@ -29,8 +29,10 @@ class LessonModel : public QObject {
   /// more command, so that edits made in the lesson can be undone to.
   void leave();
 
-  /// Whether the document would be modified if the lesson were left, or is, if none is open.
+  /// Whether the person's own scene, which comes back when the lesson is left, is unsaved.
   bool hasUnsavedWork() const;
+  /// Whether a lesson is open and its scene was changed by more than going from step to step.
+  bool hasEdits() const;
 
   bool isOpen() const { return lesson_.has_value(); }
   /// Precondition for the next three: isOpen().

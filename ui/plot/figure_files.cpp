@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "flatland/io/atomic_file.h"
@@ -12,6 +11,7 @@
 #include "ui/export/figure_writers.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/paths.h"
+#include "ui/panels/save_name.h"
 
 namespace flatland::ui {
 
@@ -61,12 +61,9 @@ QString exportFigureFile(QWidget* parent, const FigureFile& contents) {
             << FigureFiles::tr("PNG picture (*.png)") << FigureFiles::tr("TikZ picture (*.tex)");
   }
   if (contents.table) filters << FigureFiles::tr("CSV table (*.csv)");
-  QString filter = filters.front();
-  QString name = QFileDialog::getSaveFileName(parent, FigureFiles::tr("Export diagram"),
-                                              contents.suggestedName, filters.join(";;"), &filter);
+  const QString name =
+      askSaveName(parent, FigureFiles::tr("Export diagram"), contents.suggestedName, filters);
   if (name.isEmpty()) return {};
-  // A name without a suffix gets that of the chosen format.
-  if (QFileInfo(name).suffix().isEmpty()) name += filter.section('*', 1).chopped(1);
   try {
     writeFigureFile(toPath(name), contents);
   } catch (const InputError& error) {

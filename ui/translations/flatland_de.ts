@@ -2721,6 +2721,17 @@
     </message>
 </context>
 <context>
+    <name>SaveName</name>
+    <message>
+        <source>Replace file</source>
+        <translation>Datei ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+</context>
+<context>
     <name>SceneSummary</name>
     <message numerus="yes">
         <source>%n curves</source>
@@ -3711,14 +3722,6 @@
         <translation>Szene speichern unter</translation>
     </message>
     <message>
-        <source>Replace file</source>
-        <translation>Datei ersetzen</translation>
-    </message>
-    <message>
-        <source>%1 exists. Replace it?</source>
-        <translation>%1 gibt es schon. Ersetzen?</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Ungespeicherte Änderungen</translation>
     </message>
@@ -3749,6 +3752,18 @@
     <message>
         <source>It is lost otherwise.</source>
         <translation>Sie geht sonst verloren.</translation>
+    </message>
+    <message>
+        <source>lesson</source>
+        <translation>lektion</translation>
+    </message>
+    <message>
+        <source>Save the scene of the lesson as you changed it?</source>
+        <translation>Die Szene der Lektion so sichern, wie Sie sie geändert haben?</translation>
+    </message>
+    <message>
+        <source>It is lost otherwise. Your own scene stays as it was.</source>
+        <translation>Sonst geht sie verloren. Ihre eigene Szene bleibt, wie sie war.</translation>
     </message>
 </context>
 <context>
