@@ -29,6 +29,8 @@ TEST(LinesMessages, BadInputIsTold) {
   };
   const Case cases[] = {
       {{"lines", "none.obj", "-o", "a.svg"}, "flatland: none.obj"},
+      {{"lines", "preset:thesis", "-o", "a.svg"},
+       "preset:thesis: a scene of curves, not a mesh; flatland draw makes a picture of it"},
       {{"lines", "bad.obj", "-o", "a.svg"}, "flatland: bad.obj: line 4"},
       {{"lines", "solid:tours", "-o", "a.svg"}, "no such solid; there are sphere, "},
       {{"lines", "solid:torus:x", "-o", "a.svg"}, "number of cells"},
@@ -95,6 +97,56 @@ TEST(LinesMessages, BadUsageIsToldWithTheValidNames) {
     EXPECT_EQ(result.exitCode, 2) << result.err;
     EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
   }
+}
+
+TEST(LinesMessages, NumbersThatAreNoneAreRefusedByEveryOption) {
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* message;
+  };
+  const std::vector<std::string> lines{"lines", kTorus, "-o", "a.svg"};
+  const Case cases[] = {
+      {{"--width", "nan"}, "--width: expected a number from 0.01 to 100, found nan"},
+      {{"--width", "inf"}, "found inf"},
+      {{"--perspective", "nan"}, "--perspective: expected a number from 0.1 to 179, found nan"},
+      {{"--dpi", "nan"}, "--dpi: expected a number from 8 to 4800"},
+      {{"--ink", "nan"}, "--ink: expected a number from 0.000001 to 1, found nan"},
+      {{"--min-length", "nan"}, "--min-length: expected a number from 0 to 10000"},
+      {{"--simplify", "nan"}, "--simplify: expected a number from 0 to 100"},
+      {{"--scale", "-nan"}, "--scale: expected a number from 1 to 100"},
+      {{"--threads", "2.5"}, "--threads: expected a whole number from 1 to 1024, found 2.5"},
+      {{"--lines", "creases", "--threshold", "creases=400"}, "expected degrees from 0 to 180"},
+      {{"--lines", "contours,,ridges"}, "--lines: an entry between the commas"},
+      {{"--lines=contours,"}, "--lines: an entry between the commas"},
+  };
+  for (Case bad : cases) {
+    bad.arguments.insert(bad.arguments.begin(), lines.begin(), lines.end());
+    const ProgramResult result = run(bad.arguments);
+    EXPECT_EQ(result.exitCode, 2) << result.err;
+    EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
+  }
+  const Case others[] = {
+      {{"convergence", "gaussian-bump", "--cells", "10,20", "--threshold", "nan"},
+       "--threshold: expected a number from 0 to 1000000, found nan"},
+      {{"convergence", "gaussian-bump", "--cells", "10,,20"}, "--cells: an entry"},
+      {{"convergence", "sine-sheet", "--seed", "-1"},
+       "--seed: expected a whole number from 0, found -1"},
+      {{"study", "offset", "--seed", "2.5"}, "--seed: expected a whole number from 0, found 2.5"},
+      {{"study", "offset", "--scale", "nan"}, "--scale: expected a number, found nan"},
+      {{"study", "limits", "preset:thesis", "--t", "nan"}, "--t: expected a number, found nan"},
+      {{"derivation", kTorus, "--vertex", "-1"}, "--vertex: expected a whole number from 0"},
+      {{"derivation", kTorus, "--point", "0,nan,0"}, "--point: expected a number, found nan"},
+      {{"slice", kTorus, "-o", "a.json", "--plane", "1,0,0,0", "--tolerance", "nan"},
+       "--tolerance: expected a number from 1e-12 to 1e+12"},
+      {{"bridge", "preset:thesis", "--extrude", "nan"}, "--extrude: expected a number from"},
+      {{"lins", "hand.obj", "-o", "bad/a.svg"}, "not expected: hand.obj -o bad/a.svg"},
+  };
+  for (const Case& bad : others) {
+    const ProgramResult result = run(bad.arguments);
+    EXPECT_EQ(result.exitCode, 2) << result.err;
+    EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
+  }
+  EXPECT_NE(run({"lines", "--help"}).out.find("from 0.000001 to 1\n"), std::string::npos);
 }
 
 TEST(LinesMessages, InkThatCannotBeReachedIsToldWithPictureAndNumbers) {

@@ -8,6 +8,7 @@
 #include "flatland/io/atomic_file.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/picture.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/scene_argument.h"
@@ -134,43 +135,47 @@ void addBridgeCommand(CLI::App& app, Action& action, const std::string& commandL
       "A curve swept into a surface: where flatland says its lines are, where they are found on\n"
       "meshes of it, and how far these are apart. The table goes to standard output.");
   command.add_option("scene", options->scene, kSceneHelp)->type_name("SCENE");
-  command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N");
-  command
-      .add_option_function<double>(
-          "--extrude",
-          [options](const double& height) { options->extrude = true, options->height = height; },
-          "Move the curve across its plane, over this height [2]")
-      ->type_name("HEIGHT")
-      ->check(CLI::Range(1e-6, 1e6).description(""));
-  command
-      .add_option_function<double>(
-          "--revolve",
-          [options](const double& axis) { options->revolve = true, options->axis = axis; },
-          "Turn the curve about the line x = AXIS")
-      ->type_name("AXIS")
-      ->check(CLI::Range(-1e6, 1e6).description(""));
+  isWhole(command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N"),
+          0);
+  isNumber(command
+               .add_option_function<double>(
+                   "--extrude",
+                   [options](const double& height) {
+                     options->extrude = true, options->height = height;
+                   },
+                   "Move the curve across its plane, over this height [2]")
+               ->type_name("HEIGHT"),
+           1e-6, 1e6);
+  isNumber(command
+               .add_option_function<double>(
+                   "--revolve",
+                   [options](const double& axis) { options->revolve = true, options->axis = axis; },
+                   "Turn the curve about the line x = AXIS")
+               ->type_name("AXIS"),
+           -1e6, 1e6);
   addDirection(command, "--view", options->towards,
                "From the surface towards the viewer; the curve's plane is x, y. Else the scene's\n"
                "view raised from the plane, or 0,1,0 of a revolution, which can be seen from its\n"
                "ends alone");
-  command
-      .add_option("--resolutions", options->study.cells,
+  isWhole(command
+              .add_option(
+                  "--resolutions", options->study.cells,
                   "Cells along the curve, separated by commas [16,32,64,128]; with --random the\n"
                   "last one [256]")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::Range(kFewestCells, kMostCells).description(""));
-  command
-      .add_option("--random", options->trials.count,
-                  "No scene: extrusions of N random curves from random directions")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000).description(""));
-  command.add_option("--seed", options->trials.seed, "Of --random [1]")->type_name("S");
-  command
-      .add_option("--threshold", options->study.threshold,
-                  "Of the apparent ridges, as in flatland lines [0]")
-      ->type_name("V")
-      ->check(CLI::Range(0.0, 1e6).description(""));
+              ->type_name("LIST")
+              ->delimiter(','),
+          kFewestCells, kMostCells);
+  isWhole(command
+              .add_option("--random", options->trials.count,
+                          "No scene: extrusions of N random curves from random directions")
+              ->type_name("N"),
+          1, 100000);
+  isWhole(command.add_option("--seed", options->trials.seed, "Of --random [1]")->type_name("S"), 0);
+  isNumber(command
+               .add_option("--threshold", options->study.threshold,
+                           "Of the apparent ridges, as in flatland lines [0]")
+               ->type_name("V"),
+           0.0, 1e6);
   command
       .add_option("-o,--output", options->output,
                   "File to write too: .csv or .json, or a diagram (.svg, .pdf, .png, .tex)")

@@ -6,6 +6,7 @@
 #include "core3d/study/convergence.h"
 #include "flatland/io/atomic_file.h"
 #include "ui/cli/mesh_commands.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/picture.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/suggestion.h"
@@ -92,23 +93,25 @@ void addConvergenceCommand(CLI::App& app, Action& action, const std::string& com
                   "File to write too: .csv or .json, or a diagram (.svg, .pdf, .png, .tex)")
       ->type_name("FILE")
       ->check(CLI::Validator(whyNotOutput, ""));
-  command
-      .add_option("--cells", options->study.cells,
-                  "Resolutions n, separated by commas: meshes of n x n cells [50,100,200]")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::Range(kFewestCells, kMostCells).description(""));
+  isWhole(command
+              .add_option("--cells", options->study.cells,
+                          "Resolutions n, separated by commas: meshes of n x n cells [50,100,200]")
+              ->type_name("LIST")
+              ->delimiter(','),
+          kFewestCells, kMostCells);
   command.add_flag("--regular", options->regular,
                    "Regular meshes; without it vertices are moved by up to a quarter of a cell");
-  command
-      .add_option("--seed", options->study.seed,
-                  "Of these moves, and of the random curve of extrusion and revolution [1]")
-      ->type_name("S");
-  command
-      .add_option("--threshold", options->study.threshold,
-                  "Of the apparent ridges, as in flatland lines [0, to look at weak ones too]")
-      ->type_name("V")
-      ->check(CLI::Range(0.0, 1e6).description(""));
+  isWhole(command
+              .add_option("--seed", options->study.seed,
+                          "Of these moves, and of the random curve of extrusion and revolution [1]")
+              ->type_name("S"),
+          0);
+  isNumber(
+      command
+          .add_option("--threshold", options->study.threshold,
+                      "Of the apparent ridges, as in flatland lines [0, to look at weak ones too]")
+          ->type_name("V"),
+      0.0, 1e6);
   addSize(command, options->size);
   command.footer(
       "Examples:\n"

@@ -5,6 +5,7 @@
 #include "flatland/io/derivation_text.h"
 #include "flatland/io/number_text.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
 #include "ui/cli/surface_derivation.h"
@@ -96,12 +97,15 @@ void addDerivationCommand(CLI::App& app, Action& action) {
                       "solid:NAME[:CELLS[:irregular]]")
       ->required()
       ->type_name("SCENE");
-  command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N");
-  command
-      .add_option("--t", options->t,
-                  "Where on it: piece number plus parameter, from 0 [0.5, or another place if the\n"
-                  "curve has no tangent there]")
-      ->type_name("T");
+  isWhole(command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N"),
+          0);
+  isNumber(
+      command
+          .add_option(
+              "--t", options->t,
+              "Where on it: piece number plus parameter, from 0 [0.5, or another place if the\n"
+              "curve has no tangent there]")
+          ->type_name("T"));
   addViewAngle(command, options->viewAngleDeg);
   addSurfaceDerivation(command, options->surface);
   command.add_option("--format", options->result.format, "text, json or csv [text]")

@@ -3,6 +3,7 @@
 
 #include "flatland/io/scene_json.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/picture.h"
 #include "ui/cli/scene_argument.h"
 #include "ui/export/flat_figure.h"
@@ -75,11 +76,12 @@ void addDrawCommand(CLI::App& app, Action& action, const std::string& commandLin
       ->check(CLI::Validator(whyNotOutput, ""));
   addViewAngle(command, options->viewAngleDeg);
   addSize(command, options->size);
-  command
-      .add_option("--dpi", options->dpi,
-                  "PNG: pixels per inch; a pixel of --size is 1/96 inch, so 192 doubles it [96]")
-      ->type_name("DPI")
-      ->check(CLI::Range(8.0, 4800.0).description(""));
+  isNumber(command
+               .add_option(
+                   "--dpi", options->dpi,
+                   "PNG: pixels per inch; a pixel of --size is 1/96 inch, so 192 doubles it [96]")
+               ->type_name("DPI"),
+           8.0, 4800.0);
   addKinds(command, options->kinds, "all but flat and apparent-minimum");
   command
       .add_option("--hidden", options->hidden, "What the viewer cannot see: pale or remove [pale]")

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
 #include "flatland/io/limits_text.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
 
@@ -45,9 +48,12 @@ void addLimitsCommand(CLI::App& study, Action& action) {
       "Each\n"
       "power law is predicted, and fitted to the last decade that rounding leaves alone.");
   command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
-  command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N");
-  command.add_option("--t", options->t, "The point: piece plus parameter [middle of the curve]")
-      ->type_name("T");
+  isWhole(command.add_option("--curve", options->curve, "Which curve, from 0 [0]")->type_name("N"),
+          0, std::numeric_limits<std::int32_t>::max());
+  isNumber(
+      command
+          .add_option("--t", options->t, "The point: piece plus parameter [middle of the curve]")
+          ->type_name("T"));
   addViewAngle(command, options->viewAngleDeg);
   addJsonOrCsv(command, options->result);
   addOutput(command, options->result);

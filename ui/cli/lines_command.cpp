@@ -18,6 +18,7 @@
 #include "ui/cli/drawing_stats.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/picture.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/suggestion.h"
@@ -258,11 +259,11 @@ void addChoice(CLI::App& command, const std::string& name, Value& value,
 void addViews(CLI::App& command, Options& options) {
   addCamera(command, options.camera);
   addSize(command, options.size);
-  command
-      .add_option("--turntable", options.turntable,
-                  "N pictures, turned about --up once round: FILE-01.svg, FILE-02.svg, ...")
-      ->type_name("N")
-      ->check(CLI::Range(2, 100000).description(""));
+  isWhole(command
+              .add_option("--turntable", options.turntable,
+                          "N pictures, turned about --up once round: FILE-01.svg, FILE-02.svg, ...")
+              ->type_name("N"),
+          2, 100000);
   command
       .add_option("--cameras", options.cameras,
                   "One picture for each camera of a list (docs/user/lines.md)")
@@ -270,25 +271,26 @@ void addViews(CLI::App& command, Options& options) {
 }
 
 void addStrokes(CLI::App& command, Options& options) {
-  command
-      .add_option_function<double>(
-          "--ink", [&options](const double& share) { options.strokes.ink = share; },
-          "Solve for the thresholds with which strokes cover this share of the pixels, for\n"
-          "example 0.04")
-      ->type_name("SHARE")
-      ->check(CLI::Range(1e-6, 1.0).description(""));
-  command
-      .add_option_function<double>(
-          "--min-length", [&options](const double& px) { options.minLength = px; },
-          "Leave out strokes shorter than this, but for whole contours [6 at 800x600, in\n"
-          "proportion at other sizes]")
-      ->type_name("PX")
-      ->check(CLI::Range(0.0, 10000.0).description(""));
-  command
-      .add_option("--simplify", options.strokes.tolerancePx,
-                  "How far a stroke may be moved to save points [0.2]")
-      ->type_name("PX")
-      ->check(CLI::Range(0.0, 100.0).description(""));
+  isNumber(
+      command
+          .add_option_function<double>(
+              "--ink", [&options](const double& share) { options.strokes.ink = share; },
+              "Solve for the thresholds with which strokes cover this share of the pixels, for\n"
+              "example 0.04")
+          ->type_name("SHARE"),
+      1e-6, 1.0);
+  isNumber(command
+               .add_option_function<double>(
+                   "--min-length", [&options](const double& px) { options.minLength = px; },
+                   "Leave out strokes shorter than this, but for whole contours [6 at 800x600, in\n"
+                   "proportion at other sizes]")
+               ->type_name("PX"),
+           0.0, 10000.0);
+  isNumber(command
+               .add_option("--simplify", options.strokes.tolerancePx,
+                           "How far a stroke may be moved to save points [0.2]")
+               ->type_name("PX"),
+           0.0, 100.0);
 }
 
 void addStyle(CLI::App& command, Options& options) {
@@ -297,18 +299,19 @@ void addStyle(CLI::App& command, Options& options) {
   addChoice(command, "--style", options.figure.style, kStyleWords,
             "What a line's strength does: plain, nothing; width or fade of each stroke;\n"
             "taper, width along the stroke with pointed ends [plain]");
-  command
-      .add_option_function<double>(
-          "--width", [&options](const double& px) { options.width = px; },
-          "Width of the strokes [1.5 at 800x600, in proportion at other sizes]")
-      ->type_name("PX")
-      ->check(CLI::Range(0.01, 100.0).description(""));
+  isNumber(command
+               .add_option_function<double>(
+                   "--width", [&options](const double& px) { options.width = px; },
+                   "Width of the strokes [1.5 at 800x600, in proportion at other sizes]")
+               ->type_name("PX"),
+           0.01, 100.0);
   command.add_flag("--colours", options.figure.colours, "A colour for each family");
-  command
-      .add_option("--dpi", options.dpi,
-                  "PNG: pixels per inch; a pixel of --size is 1/96 inch, so 192 doubles it [96]")
-      ->type_name("DPI")
-      ->check(CLI::Range(8.0, 4800.0).description(""));
+  isNumber(command
+               .add_option(
+                   "--dpi", options.dpi,
+                   "PNG: pixels per inch; a pixel of --size is 1/96 inch, so 192 doubles it [96]")
+               ->type_name("DPI"),
+           8.0, 4800.0);
   command.add_flag("--transparent", options.figure.transparent, "No background");
   command.add_flag_callback(
       "--dark", [&options] { options.figure.palette = Palette::Dark; },

@@ -8,6 +8,7 @@
 #include "ui/cli/help_text.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
+#include "ui/cli/number_check.h"
 
 namespace {
 
@@ -20,6 +21,15 @@ int report(std::string message, ExitCode code) {
       message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == '\x7f'; }, ' ');
   std::fprintf(stderr, "flatland: %s\n", message.c_str());
   return code;
+}
+
+/// What CLI::ExtrasError says, with the arguments in the order in which they were given.
+std::string unexpectedArguments(const CLI::App& app) {
+  const std::vector<std::string> extras = app.remaining(true);
+  std::string said = extras.size() > 1 ? "The following arguments were not expected:"
+                                       : "The following argument was not expected:";
+  for (const std::string& extra : extras) said += " " + extra;
+  return said;
 }
 
 void describe(CLI::App& app) {
@@ -68,16 +78,19 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   try {
     app.parse(argc, argv);
+    if (const std::string why = whyNotLists(app, argc, argv); !why.empty()) {
+      throw CLI::ParseError(why, CLI::ExitCodes::ValidationError);
+    }
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help or version
+    const bool isExtra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    const std::string what = isExtra ? unexpectedArguments(app) : error.what();
     std::string help = "flatland";
     for (const CLI::App* command = &app; !command->get_subcommands().empty();) {
       command = command->get_subcommands().back();
       help += " " + command->get_name();
     }
-    return report(
-        std::string(error.what()) + " (see " + help + " --help)" + likelyMeaning(app, argc, argv),
-        kBadUsage);
+    return report(what + " (see " + help + " --help)" + likelyMeaning(app, argc, argv), kBadUsage);
   }
   const bool isWindow = app.get_subcommands().empty();
   const std::string meant = isWindow ? likelyMeaning(app, argc, argv) : std::string();

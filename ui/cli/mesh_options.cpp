@@ -8,13 +8,17 @@
 #include <filesystem>
 
 #include "core3d/io/named_mesh.h"
+#include "flatland/io/input_error.h"
 #include "flatland/view/perspective.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/suggestion.h"
 
 namespace flatland::ui {
 
 namespace {
+
+constexpr double kLargestCreaseDeg = 180.0;  // between triangles folded onto one another
 
 std::optional<double> numberFrom(std::string_view text) {
   double value = 0.0;
@@ -67,8 +71,10 @@ std::string whyNotThreshold(const std::string& text) {
   const std::string whyNone = whyNotNamed("threshold of", name, namesWithThreshold());
   if (!whyNone.empty()) return whyNone;
   const std::optional<double> value = numberFrom(std::string_view(text).substr(equals + 1));
-  if (!value || *value < 0.0) return "expected a number from 0 up after = in " + text;
-  return {};
+  const bool isAngle = name == nameOf(LineFamily::Creases);
+  if (value && *value >= 0.0 && (!isAngle || *value <= kLargestCreaseDeg)) return {};
+  return isAngle ? "expected degrees from 0 to 180 after = in " + text
+                 : "expected a number from 0 up after = in " + text;
 }
 
 void setLines(LineOptions& lines, const std::vector<std::string>& names) {
@@ -80,6 +86,15 @@ void setLines(LineOptions& lines, const std::vector<std::string>& names) {
       lines[*lineFamilyNamed(name)] = true;
     }
   }
+}
+
+/// Why what names a scene of curves is no mesh, or empty.
+std::string whyNoMesh(const std::string& reference) {
+  const bool isScene = reference.starts_with("preset:") || reference.starts_with("glyph:") ||
+                       std::filesystem::path(reference).extension() == ".json" ||
+                       std::filesystem::path(reference).extension() == ".svg";
+  if (!isScene) return {};
+  return "a scene of curves, not a mesh; flatland draw makes a picture of it";
 }
 
 }  // namespace
@@ -116,12 +131,13 @@ void addCamera(CLI::App& command, Camera& camera) {
   addDirection(command, "--view", camera.towards,
                "From the mesh towards the viewer [0,0,1; across --up if that is along it]");
   addDirection(command, "--up", camera.up, "What appears upward [0,1,0]");
-  command
-      .add_option_function<double>(
-          "--perspective", [&camera](const double& angle) { camera.perspectiveDeg = angle; },
-          "Vertical field of view; without it the view is orthographic")
-      ->type_name("DEG")
-      ->check(CLI::Range(kLeastPerspectiveDeg, kMostPerspectiveDeg).description(""));
+  isNumber(
+      command
+          .add_option_function<double>(
+              "--perspective", [&camera](const double& angle) { camera.perspectiveDeg = angle; },
+              "Vertical field of view; without it the view is orthographic")
+          ->type_name("DEG"),
+      kLeastPerspectiveDeg, kMostPerspectiveDeg);
 }
 
 void addFields(CLI::App& command, FieldOptions& fields) {
@@ -134,17 +150,18 @@ void addFields(CLI::App& command, FieldOptions& fields) {
           "How curvature is found: jet, a local polynomial; one-ring, fast and rough [jet]")
       ->type_name("NAME")
       ->check(oneOf("estimator", {"jet", "one-ring"}));
-  command
-      .add_option("--scale", fields.scale,
-                  "Widens the neighbourhoods that curvature is found on: smooths noise, and\n"
-                  "features of that width with it [1]; one-ring takes 10 at most")
-      ->type_name("R")
-      ->check(CLI::Range(1.0, 100.0).description(""));
-  command
-      .add_option("--threads", fields.threads,
-                  "Threads that estimate curvature [all cores]; drawing takes all")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024).description(""));
+  isNumber(
+      command
+          .add_option("--scale", fields.scale,
+                      "Widens the neighbourhoods that curvature is found on: smooths noise, and\n"
+                      "features of that width with it [1]; one-ring takes 10 at most")
+          ->type_name("R"),
+      1.0, 100.0);
+  isWhole(command
+              .add_option("--threads", fields.threads,
+                          "Threads that estimate curvature [all cores]; drawing takes all")
+              ->type_name("N"),
+          1, 1024);
 }
 
 void addLineFamilies(CLI::App& command, LineOptions& lines) {
@@ -187,12 +204,14 @@ void addLineFamilies(CLI::App& command, LineOptions& lines) {
           "Apparent ridges: closed-form, or one-ring as the thesis did it [closed-form]")
       ->type_name("NAME")
       ->check(oneOf("derivative", {"closed-form", "one-ring"}));
-  command.add_option("--isophotes", lines.isophoteLevels, "How many levels of n.w [10]")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000).description(""));
-  command.add_option("--topographic", lines.topographicLevels, "How many levels of height [20]")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000).description(""));
+  isWhole(command.add_option("--isophotes", lines.isophoteLevels, "How many levels of n.w [10]")
+              ->type_name("N"),
+          1, 1000);
+  isWhole(
+      command
+          .add_option("--topographic", lines.topographicLevels, "How many levels of height [20]")
+          ->type_name("N"),
+      1, 10000);
   addDirection(command, "--topographic-up", lines.topographicUp, "Which way height grows [0,1,0]");
 }
 
@@ -219,6 +238,9 @@ void setUsualLines(LineOptions& lines) {
 PreparedMesh preparedMesh(const std::string& mesh, const FieldOptions& fields) {
   if (const std::string whyNot = whyNotFields(fields); !whyNot.empty()) {
     throw UsageError("--scale: " + whyNot);
+  }
+  if (const std::string whyNot = whyNoMesh(mesh); !whyNot.empty()) {
+    throw InputError(mesh, "", whyNot);
   }
   PreparedMesh prepared;
   const auto start = std::chrono::steady_clock::now();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
 #include "flatland/io/profile_text.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/result_options.h"
 #include "ui/cli/scene_argument.h"
 
@@ -40,9 +43,9 @@ void addProfileCommand(CLI::App& app, Action& action) {
       "and every mark is one. A new segment begins where something breaks.");
   command.add_option("scene", options->scene, kSceneHelp)->required()->type_name("SCENE");
   addViewAngle(command, options->viewAngleDeg);
-  command.add_option("--curve", options->curve, "Only this curve, from 0 [all]")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber.description(""));
+  isWhole(command.add_option("--curve", options->curve, "Only this curve, from 0 [all]")
+              ->type_name("N"),
+          0, std::numeric_limits<std::int32_t>::max());
   addOutput(command, options->result);
   command.footer(
       "Examples:\n"

@@ -4,6 +4,7 @@
 
 #include "flatland/io/input_error.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/picture.h"
 #include "ui/cli/qt_parts.h"
 #include "ui/cli/scene_argument.h"
@@ -119,10 +120,11 @@ void addShotCommand(CLI::App& app, Action& action) {
       ->type_name("NAME")
       ->check(CLI::IsMember({"light", "dark", "high-contrast", "system"}).description(""));
   addLanguage(command, shot.language, "Language of the window: en or de [en]");
-  command
-      .add_option("--scale", shot.scale, "How much larger than usual type and marks are: 1 to 2.5")
-      ->type_name("FACTOR")
-      ->check(CLI::Range(1.0, 2.5).description(""));
+  isNumber(
+      command
+          .add_option("--scale", shot.scale, "How much larger than usual type and marks are [1]")
+          ->type_name("FACTOR"),
+      1.0, 2.5);
   command.add_option("--probe", options->probe, "Put the probe on a curve, at a parameter")
       ->type_name("CURVE:T")
       ->check(CLI::Validator(whyNotProbe, ""));

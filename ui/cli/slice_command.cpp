@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -11,6 +10,7 @@
 #include "flatland/io/scene_json.h"
 #include "ui/cli/mesh_commands.h"
 #include "ui/cli/mesh_options.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/picture.h"
 
 namespace flatland::ui {
@@ -27,17 +27,6 @@ struct Options {
   FieldOptions fields;
   LineOptions lines;
 };
-
-/// Whatever a number is read as, "nan" and "inf" too.
-CLI::Validator finite() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        double value = 0.0;
-        const bool is = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-        return is ? std::string() : "expected a number, found " + text;
-      },
-      "");
-}
 
 std::string whyNotOutput(const std::string& file) {
   if (extensionOf(file) == ".json") return {};
@@ -133,28 +122,29 @@ void addSliceCommand(CLI::App& app, Action& action) {
       "standard\n"
       "output, with the angle between t_A and the plane: why they differ.");
   addMesh(command, options->mesh);
-  command
-      .add_option("--plane", options->plane,
-                  "The plane NX x + NY y + NZ z = D in the coordinates of the mesh's file")
-      ->type_name("NX,NY,NZ,D")
-      ->delimiter(',')
-      ->expected(4)
-      ->check(finite());
-  command
-      .add_option(
-          "--through", options->through,
-          "The plane through the vertex nearest to this place, along the view and t_A there")
-      ->type_name("X,Y,Z")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(finite());
+  isNumber(command
+               .add_option("--plane", options->plane,
+                           "The plane NX x + NY y + NZ z = D in the coordinates of the mesh's file")
+               ->type_name("NX,NY,NZ,D")
+               ->delimiter(',')
+               ->expected(4));
+  isNumber(
+      command
+          .add_option(
+              "--through", options->through,
+              "The plane through the vertex nearest to this place, along the view and t_A there")
+          ->type_name("X,Y,Z")
+          ->delimiter(',')
+          ->expected(3));
   addDirection(command, "--view", options->towards, "From the mesh towards the viewer [0,0,1]");
-  command
-      .add_option("--tolerance", options->tolerance,
-                  "How far the curves may be from the section, in the unit of the file [1/1000 of\n"
-                  "the mesh's longest side]")
-      ->type_name("LENGTH")
-      ->check(CLI::Range(1e-12, 1e12).description(""));
+  isNumber(
+      command
+          .add_option(
+              "--tolerance", options->tolerance,
+              "How far the curves may be from the section, in the unit of the file [1/1000 of\n"
+              "the mesh's longest side]")
+          ->type_name("LENGTH"),
+      1e-12, 1e12);
   addFields(command, options->fields);
   command.add_option("-o,--output", options->output, "Scene file to write: .json")
       ->required()

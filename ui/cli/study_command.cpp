@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
+#include <limits>
 #include <thread>
 
 #include "flatland/io/input_error.h"
 #include "flatland/io/offset_table.h"
 #include "flatland/io/study_text.h"
 #include "ui/cli/command_line.h"
+#include "ui/cli/number_check.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/result_options.h"
 
@@ -98,13 +100,19 @@ void addStudyCommand(CLI::App& app, Action& action) {
       "length.\n"
       "JSON gives all curves together, CSV one row a curve. The same seed gives the same curves\n"
       "whatever the number of threads.");
-  command.add_option("--curves", options->study.curves, "How many curves [20000]")->type_name("N");
-  command.add_option("--points", options->study.points, "Control points per curve, 3 to 9 [5]")
-      ->type_name("N");
-  command.add_option("--seed", options->study.seed, "Which random curves [1]")->type_name("S");
-  command
-      .add_option("--scale", options->study.scale, "Side of the square, for example in pixels [1]")
-      ->type_name("PX");
+  isWhole(command.add_option("--curves", options->study.curves, "How many curves [20000]")
+              ->type_name("N"),
+          1, std::numeric_limits<std::int64_t>::max());
+  isWhole(command.add_option("--points", options->study.points, "Control points per curve [5]")
+              ->type_name("N"),
+          3, 9);
+  isWhole(
+      command.add_option("--seed", options->study.seed, "Which random curves [1]")->type_name("S"),
+      0);
+  isNumber(command
+               .add_option("--scale", options->study.scale,
+                           "Side of the square, for example in pixels [1]")
+               ->type_name("PX"));
   command
       .add_option(
           "--convention", options->convention,
@@ -116,9 +124,8 @@ void addStudyCommand(CLI::App& app, Action& action) {
   addJsonOrCsv(command, options->result);
   addOutput(command, options->result);
   command.add_flag("--resume", options->resume, "Continue an interrupted CSV file");
-  command.add_option("--threads", options->threads, "Threads [all cores]")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024).description(""));
+  isWhole(command.add_option("--threads", options->threads, "Threads [all cores]")->type_name("N"),
+          1, 1024);
   command.footer(
       "Examples:\n"
       "  flatland study offset --curves 20000 --points 5 --seed 1\n"

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core3d/io/surface_derivation_json.h"
+#include "ui/cli/number_check.h"
 
 namespace flatland::ui {
 
@@ -55,24 +56,29 @@ const std::vector<std::string>& surfaceDerivationOptionNames() {
 }
 
 void addSurfaceDerivation(CLI::App& command, SurfaceDerivationOptions& options) {
-  command
-      .add_option("--point", options.point,
-                  "Of a mesh: the vertex nearest to this place, in the file's coordinates")
-      ->type_name("X,Y,Z")
-      ->delimiter(',')
-      ->expected(3);
-  command.add_option("--vertex", options.vertex, "Of a mesh: the vertex of this number, from 0")
-      ->type_name("N");
-  command
-      .add_option("--triangle", options.triangle,
+  isNumber(command
+               .add_option("--point", options.point,
+                           "Of a mesh: the vertex nearest to this place, in the file's coordinates")
+               ->type_name("X,Y,Z")
+               ->delimiter(',')
+               ->expected(3));
+  isWhole(
+      command
+          .add_option("--vertex", options.vertex, "Of a mesh: the vertex of this number, from 0")
+          ->type_name("N"),
+      0, std::numeric_limits<std::uint32_t>::max());
+  isWhole(command
+              .add_option(
+                  "--triangle", options.triangle,
                   "Of a mesh: what becomes of the face of this number, from 0, in the search for\n"
                   "apparent ridges (Fig. 5-1 of the thesis); of a polygon its first triangle")
-      ->type_name("N");
-  command
-      .add_option("--threshold", options.threshold,
-                  "Of apparent ridges, for --triangle, as in flatland lines [2]")
-      ->type_name("V")
-      ->check(CLI::Range(0.0, 1e6).description(""));
+              ->type_name("N"),
+          0, std::numeric_limits<std::uint32_t>::max());
+  isNumber(command
+               .add_option("--threshold", options.threshold,
+                           "Of apparent ridges, for --triangle, as in flatland lines [2]")
+               ->type_name("V"),
+           0.0, 1e6);
   addCamera(command, options.camera);
   addFields(command, options.fields);
 }
