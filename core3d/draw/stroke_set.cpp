@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core3d/draw/bridges.h"
@@ -19,7 +20,17 @@ namespace {
 // up of crumbs.
 constexpr double kLeastUnit = 0.3;
 
+// Where a threshold is lowered to 0 the definition still asks for more than nothing: a curvature
+// that grows, a maximum that is one.
+constexpr double kAnyStrength = std::numeric_limits<double>::min();
+
 std::size_t indexOf(LineFamily family) { return static_cast<std::size_t>(family); }
+
+// Families that are judged by how strong they are. Angles of creases are no strength to weigh with.
+bool isWeighed(LineFamily family) {
+  static const auto kUsual = LineOptions::defaultThresholds();
+  return movesWithInk(family) && kUsual[indexOf(family)] > 0.0;
+}
 
 }  // namespace
 
@@ -38,7 +49,7 @@ StrokeSet::StrokeSet(const FeatureLines& found, const Projection& projection,
     // The outline is picked from contours and boundaries, where it is told from what is inside.
     if (family == LineFamily::ExteriorSilhouette) continue;
     segments_ += found.of(family).size();
-    const double least = options.ink && movesWithInk(family) ? 0.0 : threshold(family);
+    const double least = strokeThreshold(family, options.ink ? 0.0 : 1.0);
     std::vector<ScreenChain> chained;
     for (LineChain& chain : chainSegments(family, found.of(family))) {
       for (ScreenChain& line : onScreen(std::move(chain), projection)) {
@@ -73,6 +84,12 @@ double StrokeSet::threshold(LineFamily family) const {
   return lines_.unfiltered ? 0.0 : lines_.threshold[indexOf(family)];
 }
 
+double StrokeSet::strokeThreshold(LineFamily family, double factor) const {
+  if (lines_.unfiltered) return 0.0;
+  const double used = (movesWithInk(family) ? factor : 1.0) * threshold(family);
+  return isWeighed(family) ? std::max(used, kAnyStrength) : used;
+}
+
 double StrokeSet::weak(LineFamily family, double factor) const {
   const double given = lines_.threshold[indexOf(family)];
   if (!movesWithInk(family)) return given;
@@ -84,14 +101,14 @@ std::vector<StrokePart> StrokeSet::parts(double factor) const {
   for (std::size_t i = 0; i < chains_.size(); ++i) {
     const LineFamily family = chains_[i].line.chain.family;
     StrokeFilter filter;
-    filter.threshold = (movesWithInk(family) ? factor : 1.0) * threshold(family);
+    filter.threshold = strokeThreshold(family, factor);
     if (!lines_.unfiltered) {
       filter.minLengthPx = options_.minLengthPx;
       filter.minHolePx = options_.minWeightPx;
-    }
-    if (movesWithInk(family)) {
-      filter.minWeightPx = options_.minWeightPx;
-      filter.unitStrength = lines_.unfiltered ? 0.0 : weak(family, factor);
+      if (isWeighed(family)) {
+        filter.minWeightPx = options_.minWeightPx;
+        filter.unitStrength = weak(family, factor);
+      }
     }
     for (const StrokePart& part : strokeParts(chains_[i], i, filter, options_.hysteresis)) {
       if (isDrawn(family, part.seen)) all.push_back(part);

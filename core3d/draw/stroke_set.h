@@ -42,6 +42,7 @@ class StrokeSet {
   }
 
  private:
+  double strokeThreshold(LineFamily family, double factor) const;
   bool isDrawn(LineFamily family, Seen seen) const;
 
   Projection projection_;

@@ -74,21 +74,35 @@ bool isPinhole(const SeenChain& chain, double minHolePx) {
                       [](const Stretch& s) { return s.seen == Seen::Outline; });
 }
 
+// The mean over a step from one strength to another of its share of `most`, from 0 to 1. With a
+// `most` of 0 every strength above it is as strong as can be.
+double meanShare(double a, double b, double most) {
+  const double low = std::min(a, b), high = std::max(a, b);
+  if (high <= 0.0) return 0.0;
+  if (low >= most && low > 0.0) return 1.0;
+  if (high == low) return low / most;
+  const double full = std::max(high - std::max(low, most), 0.0);
+  const double from = std::max(low, 0.0), to = std::min(high, most);
+  const double part = most > 0.0 ? (to - from) * (from + to) / (2.0 * most) : 0.0;
+  return (full + part) / (high - low);
+}
+
 // The length between two places, each part times its strength over the unit.
 double weightOf(const ScreenChain& chain, double from, double to, double unit) {
   const Places places{chain};
-  const auto times = [&](std::size_t i) {
-    const double s = static_cast<double>(chain.judged[places.point(i)]);
-    return std::min(s / unit, kMostTimes);
+  const auto strength = [&](std::size_t i) {
+    return static_cast<double>(chain.judged[places.point(i)]);
   };
   double weight = 0.0;
   for (std::size_t i = std::max<std::size_t>(places.firstAfter(from), 1) - 1;
        i + 1 < places.count() && places.place(i) < to; ++i) {
     const double a = places.place(i), b = places.place(i + 1);
-    const double inside = std::min(b, to) - std::max(a, from);
-    if (!(inside > 0.0)) continue;
-    const double at = ((std::max(a, from) + std::min(b, to)) / 2.0 - a) / (b - a);
-    weight += inside * (times(i) + at * (times(i + 1) - times(i)));
+    const double first = std::max(a, from), last = std::min(b, to);
+    if (!(last > first)) continue;
+    const auto at = [&](double place) {
+      return strength(i) + (place - a) / (b - a) * (strength(i + 1) - strength(i));
+    };
+    weight += (last - first) * kMostTimes * meanShare(at(first), at(last), kMostTimes * unit);
   }
   return weight;
 }
@@ -180,7 +194,7 @@ std::vector<StrokePart> strokeParts(const SeenChain& chain, std::size_t index,
   std::vector<StrokePart> parts;
   if (isPinhole(chain, filter.minHolePx)) return parts;
   for (const auto& [from, to] : strongStretches(line, filter.threshold, hysteresis)) {
-    if (filter.unitStrength > 0.0 &&
+    if (filter.minWeightPx > 0.0 &&
         weightOf(line, from, to, filter.unitStrength) < filter.minWeightPx) {
       continue;
     }

@@ -30,10 +30,12 @@ struct StrokePart {
 struct StrokeFilter {
   double threshold = 0.0;  ///< of strength; 0 keeps every strength
   double minLengthPx = 0.0;
-  double minWeightPx = 0.0;  ///< see StrokeOptions::minWeightPx
+  double minWeightPx = 0.0;  ///< see StrokeOptions::minWeightPx; 0: strokes are not weighed
   /// A closed boundary that is shorter, with no background behind it, is dropped: a pinhole.
   double minHolePx = 0.0;
-  double unitStrength = 0.0;  ///< that weighs 1 px a px; 0: strokes are not weighed
+  /// That weighs 1 px a px. The lower it is, the more every stroke weighs; with 0 every strength
+  /// above 0 weighs as much as can be.
+  double unitStrength = 0.0;
 };
 
 /// The stretches of a chain whose strength stays at or above `hysteresis * threshold` and reaches

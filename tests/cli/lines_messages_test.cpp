@@ -159,8 +159,8 @@ TEST(LinesMessages, InkThatCannotBeReachedIsToldWithPictureAndNumbers) {
     EXPECT_EQ(stats["inkReached"], false);
     std::array<char, 160> line{};
     std::snprintf(line.data(), line.size(),
-                  "flatland: %s: no thresholds give ink of 0.5; %.4g is as near as it gets\n", file,
-                  stats["ink"].get<double>());
+                  "flatland: %s: ink of 0.5 is not reached; strokes worth drawing give %.4g\n",
+                  file, stats["ink"].get<double>());
     EXPECT_NE(result.err.find(line.data()), std::string::npos) << result.err << line.data();
   }
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core3d/draw/chains.h"
@@ -182,6 +183,43 @@ TEST(Strokes, APartOfAPieceWeighsByItsOwnStrength) {
   };
   EXPECT_EQ(count(28.0), 1u);
   EXPECT_EQ(count(28.3), 0u);
+}
+
+// Steep ends, far below 0 where a definition stops to hold, have no weight of their own.
+TEST(Strokes, AStrokeWeighsNoLessForSteepEnds) {
+  SeenChain chain{straight({-900.0f, 6.0f, 6.0f, -900.0f}, 20.0), {{0.0, 60.0, Seen::Visible}}};
+  StrokeFilter filter{.threshold = 2.0, .minWeightPx = 30.0, .unitStrength = 2.0};
+  ASSERT_EQ(strokeParts(chain, 0, filter, 0.6).size(), 1u);  // 20 px of three times the unit
+}
+
+TEST(Strokes, LowerThresholdsKeepEveryStroke) {
+  constexpr double kRounding = 1e-9;
+  Random random(announcedSeed("LowerThresholdsKeepEveryStroke", 3));
+  for (int run = 0; run < 300; ++run) {
+    std::vector<float> strengths(12);
+    for (float& s : strengths) {
+      s = static_cast<float>(
+          std::copysign(std::pow(10.0, uniform(random, -2.0, 2.0)), uniform(random, -0.3, 1.0)));
+    }
+    const SeenChain chain{straight(strengths, 8.0), {{0.0, 88.0, Seen::Visible}}};
+    std::vector<StrokePart> before;
+    for (const double threshold : {30.0, 3.0, 0.3, 0.03, 1e-3, 1e-6, 1e-300}) {
+      const StrokeFilter filter{.threshold = threshold,
+                                .minLengthPx = 6.0,
+                                .minWeightPx = 30.0,
+                                .unitStrength = threshold};
+      const std::vector<StrokePart> now = strokeParts(chain, 0, filter, 0.6);
+      for (const StrokePart& part : before) {
+        EXPECT_TRUE(std::any_of(now.begin(), now.end(),
+                                [&part](const StrokePart& wider) {
+                                  return wider.from <= part.from + kRounding &&
+                                         part.to <= wider.to + kRounding;
+                                }))
+            << run << ": " << part.from << " to " << part.to << " is gone at " << threshold;
+      }
+      before = now;
+    }
+  }
 }
 
 TEST(Strokes, PinholesGoAndHolesStay) {

@@ -185,7 +185,8 @@ void write(const Options& options, const View& view, const Drawing& drawing,
 
 void tellInk(const std::string& file, double reached, double asked) {
   // Four digits are more than the tolerance within which ink counts as reached.
-  std::fprintf(stderr, "flatland: %s: no thresholds give ink of %.4g; %.4g is as near as it gets\n",
+  std::fprintf(stderr,
+               "flatland: %s: ink of %.4g is not reached; strokes worth drawing give %.4g\n",
                file.c_str(), asked, reached);
 }
 
