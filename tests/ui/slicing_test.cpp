@@ -20,6 +20,7 @@
 #include "ui/model/cutting_plane.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
+#include "ui/model/surface_panes.h"
 
 using namespace flatland;
 using namespace flatland::ui;
@@ -63,7 +64,8 @@ class SlicingTest : public QObject, private BridgingWindow {
           std::count_if(section->pairs.begin(), section->pairs.end(),
                         [&](const SectionPair& pair) { return pair.strength >= threshold; }));
     };
-    const double usual = familyOf(*d.scene().surface, LineFamily::ApparentRidges).threshold;
+    const double usual =
+        lineOptionsOf(paneSetting(*d.scene().surface, 0)).thresholdOf(LineFamily::ApparentRidges);
     const int all = static_cast<int>(section->pairs.size());
     QCOMPARE(table.rowCount(), listed(usual));
     QVERIFY(table.isVisible());
