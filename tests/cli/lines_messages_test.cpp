@@ -165,6 +165,40 @@ TEST(LinesMessages, InkThatCannotBeReachedIsToldWithPictureAndNumbers) {
   }
 }
 
+TEST(LinesMessages, ThresholdsThatInkFoundCanBeGivenBack) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> lines{"lines", "solid:bumpy-sphere:60", "--lines",
+                                       "apparent-ridges,creases"};
+  const auto made = [&](const std::string& file, std::vector<std::string> more) {
+    more.insert(more.begin(), lines.begin(), lines.end());
+    more.insert(more.end(), {"-o", file});
+    EXPECT_EQ(runIn(folder.path(), more).exitCode, 0);
+    return contentsOf(folder.path() / file);
+  };
+  const auto recordOf = [](const std::string& svg) {
+    const std::size_t start = svg.find('{', svg.find("<drawing>"));
+    std::string text = svg.substr(start, svg.find("</", start) - start);
+    const std::string quote = "&quot;";
+    for (std::size_t i = 0; (i = text.find(quote, i)) != std::string::npos;) {
+      text.replace(i, quote.size(), "\"");
+    }
+    return json::parse(text);
+  };
+  const auto strokesOf = [](const std::string& svg) { return svg.substr(svg.find("</metadata>")); };
+  // Little ink: thresholds are raised, and given back they draw the same strokes.
+  const std::string svg = made("ink.svg", {"--ink", "0.004"});
+  const json record = recordOf(svg);
+  ASSERT_GT(record["thresholdFactor"].get<double>(), 1.0);
+  EXPECT_EQ(record["thresholds"]["creases"], 30.0);  // which ink leaves alone
+  const double used = record["thresholds"]["apparent-ridges"];
+  EXPECT_DOUBLE_EQ(used, 2.0 * record["thresholdFactor"].get<double>());
+  const std::string again =
+      made("again.svg", {"--threshold", "apparent-ridges=" + json(used).dump()});
+  EXPECT_EQ(strokesOf(svg), strokesOf(again));
+  EXPECT_NE(strokesOf(svg), strokesOf(made("usual.svg", {})));
+  EXPECT_FALSE(recordOf(again).contains("thresholdFactor"));
+}
+
 TEST(LinesMessages, HelpHasExamplesAndEveryFamily) {
   for (const char* command : {"lines", "fields", "convergence"}) {
     const ProgramResult result = run({command, "--help"});
@@ -176,6 +210,8 @@ TEST(LinesMessages, HelpHasExamplesAndEveryFamily) {
   for (const LineFamily family : allLineFamilies()) {
     EXPECT_NE(help.find(std::string(nameOf(family))), std::string::npos) << nameOf(family);
   }
+  EXPECT_NE(help.find("zero-mean-curvature=0.1"), std::string::npos);
+  EXPECT_NE(help.find("creases=30"), std::string::npos);
 }
 
 }  // namespace

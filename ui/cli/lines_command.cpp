@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core3d/draw/compose.h"
 #include "core3d/draw/draughtsman.h"
 #include "core3d/io/cameras_json.h"
 #include "core3d/io/drawing_json.h"
@@ -127,8 +128,9 @@ std::vector<View> viewsOf(const Options& options) {
   return views;
 }
 
-/// What made the picture, beside the command, in words of the options.
-std::string recordOf(const Options& options, const View& view) {
+/// What made the picture, beside the command, in words of the options. The thresholds are those
+/// that were used: the given ones times `factor` where ink moves them.
+std::string recordOf(const Options& options, const View& view, double factor) {
   using nlohmann::json;
   json record{{"mesh", nameOfMesh(options.mesh)},
               {"camera", json::parse(cameraToJson(view.camera))},
@@ -153,8 +155,8 @@ std::string recordOf(const Options& options, const View& view) {
   for (const LineFamily family : allLineFamilies()) {
     if (!options.lines[family]) continue;
     record["lines"].push_back(nameOf(family));
-    const double threshold = options.lines.threshold[static_cast<std::size_t>(family)];
-    record["thresholds"][std::string(nameOf(family))] = threshold;
+    const double moved = movesWithInk(family) ? factor : 1.0;
+    record["thresholds"][std::string(nameOf(family))] = moved * options.lines.thresholdOf(family);
     if (family == LineFamily::Isophotes) record["isophotes"] = options.lines.isophoteLevels;
     if (family == LineFamily::Topographic) {
       const Eigen::Vector3d& up = options.lines.topographicUp;
@@ -162,7 +164,10 @@ std::string recordOf(const Options& options, const View& view) {
       record["topographicUp"] = {up.x(), up.y(), up.z()};
     }
   }
-  if (options.strokes.ink) record["ink"] = *options.strokes.ink;
+  if (options.strokes.ink) {
+    record["ink"] = *options.strokes.ink;
+    record["thresholdFactor"] = factor;
+  }
   return record.dump(1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -178,7 +183,7 @@ void write(const Options& options, const View& view, const Drawing& drawing,
                {.title = "Flatland: " + nameOfMesh(options.mesh),
                 .program = "flatland " FLATLAND_VERSION,
                 .command = options.command,
-                .sceneJson = recordOf(options, view),
+                .sceneJson = recordOf(options, view, drawing.stats.thresholdFactor),
                 .sceneName = "drawing"},
                options.dpi);
 }

@@ -177,6 +177,12 @@ void addLineFamilies(CLI::App& command, LineOptions& lines) {
       ->type_name("LIST")
       ->delimiter(',')
       ->check(oneOf("line family", names));
+  std::string defaults;
+  for (const std::string& name : namesWithThreshold()) {
+    std::array<char, 32> value{};
+    std::snprintf(value.data(), value.size(), "=%g", lines.thresholdOf(*lineFamilyNamed(name)));
+    defaults += (defaults.empty() ? "" : ", ") + name + value.data();
+  }
   command
       .add_option_function<std::vector<std::string>>(
           "--threshold",
@@ -188,7 +194,8 @@ void addLineFamilies(CLI::App& command, LineOptions& lines) {
             }
           },
           "Draw less or more of a family; may be repeated. Dimensionless: curvature times the\n"
-          "size of the mesh; of creases the angle between the triangles in degrees")
+          "size of the mesh; of creases the angle between the triangles in degrees [" +
+              defaults + "]")
       ->type_name("FAMILY=V")
       ->allow_extra_args(false)
       ->check(CLI::Validator(whyNotThreshold, ""));
