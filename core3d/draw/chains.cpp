@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core3d/draw/straight_pairs.h"
+
 namespace flatland {
 namespace {
 
@@ -15,6 +17,8 @@ using Eigen::Vector3f;
 constexpr float kSamePlace = 3e-7f;
 // Lines that meet at a junction go on over it if they turn by less than 60 degrees.
 constexpr float kLeastCosine = 0.5f;
+// Of so many ends all pairs are compared; a fan may have any number.
+constexpr std::size_t kFewEnds = 16;
 
 using End = std::uint32_t;  // 2 * piece for its low node, 2 * piece + 1 for its high one
 constexpr End kNoEnd = 0xffffffff;
@@ -161,6 +165,10 @@ class Joiner {
       join(ends[0], ends[1]);
       return;
     }
+    if (ends.size() > kFewEnds) {
+      pairMany(ends);
+      return;
+    }
     struct Candidate {
       float cosine;
       End e, f;
@@ -177,6 +185,16 @@ class Joiner {
     for (const Candidate& c : candidates) {
       if (partner_[c.e] == kNoEnd && partner_[c.f] == kNoEnd) join(c.e, c.f);
     }
+  }
+
+  void pairMany(std::span<const End> ends) {
+    std::vector<Eigen::Vector3d> directions;
+    directions.reserve(ends.size());
+    for (const End e : ends) {
+      const Eigen::Vector3d along = endOf(e ^ 1u).at.cast<double>() - endOf(e).at.cast<double>();
+      directions.push_back(along.stableNormalized());
+    }
+    for (const auto& [i, k] : straightPairs(directions).pairs) join(ends[i], ends[k]);
   }
 
   void join(End e, End f) {

@@ -29,7 +29,7 @@ struct LineChain {
 /// they turn by less than 60 degrees; the others end there. Sorted by level and first node, so the
 /// result does not depend on the order or direction of the segments.
 ///
-/// O(n log n) in the segments.
+/// O(n log n) in the segments; a node where any number of them meet as straightPairs says.
 std::vector<LineChain> chainSegments(LineFamily family, std::span<const LineSegment> segments);
 
 }  // namespace flatland

@@ -93,6 +93,30 @@ TEST(Chains, StraightestGoesOnAtAJunction) {
   EXPECT_EQ(triangles, (std::set<std::set<std::uint32_t>>{{1, 2}, {3, 4}, {5}}));
 }
 
+TEST(Chains, AFanOfManyLinesGoesOnStraightOverItsMiddle) {
+  // Lines all round at unlike heights: each has its own continuation, straight on.
+  constexpr std::uint32_t kLines = 10000;
+  std::vector<LineSegment> segments;
+  const auto tip = [](std::uint32_t i, float side) {
+    const double angle = std::numbers::pi * i / kLines;
+    return Vector3f(side * static_cast<float>(std::cos(angle)),
+                    side * static_cast<float>(std::sin(angle)),
+                    side * static_cast<float>(i % 7) * 0.1f);
+  };
+  const Vector3f o(0, 0, 0);
+  for (std::uint32_t i = 0; i < kLines; ++i) {
+    segments.push_back(segment(0, o, 1 + i, tip(i, 1), i));
+    segments.push_back(segment(1 + kLines + i, tip(i, -1), 0, o, i));
+  }
+  const auto chains = chainSegments(kFamily, segments);
+  ASSERT_EQ(chains.size(), kLines);
+  for (const LineChain& chain : chains) {
+    ASSERT_EQ(chain.points.size(), 3u);
+    EXPECT_EQ(chain.points[1], o);
+    EXPECT_EQ(chain.triangles[0], chain.triangles[1]);
+  }
+}
+
 TEST(Chains, SharpTurnsEndAtAJunctionButNotElsewhere) {
   const Vector3f o(0, 0, 0);
   // Three arms at right angles and 90 degrees: none goes on.
