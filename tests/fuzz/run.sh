@@ -20,12 +20,19 @@ mkdir -p "$build/findings"
 for reader in "${readers[@]}"; do
   mkdir -p "$build/corpus/$reader"
   echo "fuzzing $reader for $seconds s"
+  # Without -e: its status counts, 0 when the time runs out, and not that of grep, which may find nothing.
+  set +e
   "$build/bin/fuzz_$reader" -max_total_time="$seconds" -timeout=5 -rss_limit_mb=512 -max_len=4096 \
     -print_final_stats=1 -verbosity=0 -artifact_prefix="$build/findings/$reader-" \
-    "$build/corpus/$reader" "$build/first/$reader" 2>&1 | grep -E 'stat::(number|peak|average)|ERROR|SUMMARY|artifact' ||
-    true
+    "$build/corpus/$reader" "$build/first/$reader" 2>&1 | grep -E 'stat::(number|peak|average)|ERROR|SUMMARY|artifact'
+  status="${PIPESTATUS[0]}"
+  set -e
   if compgen -G "$build/findings/$reader-*" >/dev/null; then
     echo "found something: $build/findings"
+    exit 1
+  fi
+  if [ "$status" -ne 0 ]; then
+    echo "the fuzzer of $reader ended with status $status"
     exit 1
   fi
 done
