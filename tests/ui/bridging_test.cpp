@@ -162,21 +162,31 @@ class BridgingTest : public QObject, private BridgingWindow {
     dragSurface({200, 200}, {260, 210});
     QVERIFY(!sameAngle(d.scene().view.angleDeg, start));
     QVERIFY(sameAngle(azimuthDeg(camera()), d.scene().view.angleDeg));
-    QCOMPARE(d.document().undoStack().count(), 2);
+    QCOMPARE(d.document().undoStack().count(), 1);
     QVERIFY(quiet());
     QVERIFY(agrees());
-    // Undo turns the flat view back, and the surface with it, as high above the plane as it is now.
-    const double raised = camera().towards.z();
-    d.trigger("edit.undo");
-    QVERIFY(sameAngle(d.scene().view.angleDeg, start));
-    QVERIFY(sameAngle(azimuthDeg(camera()), start));
-    QVERIFY(std::abs(camera().towards.z() - raised) < 1e-9);
-    QCOMPARE(d.document().undoStack().index(), 1);
     // The view's handle in flatland turns the surface.
+    const double before = d.scene().view.angleDeg;
     const QPoint handle = d.atHandle();
     d.drag(handle, handle + QPoint(-10, 40));
-    QVERIFY(!sameAngle(d.scene().view.angleDeg, start));
-    QVERIFY(sameAngle(azimuthDeg(camera()), d.scene().view.angleDeg));
+    const View turned = d.scene().view;
+    QVERIFY(!sameAngle(turned.angleDeg, before));
+    QVERIFY(sameAngle(azimuthDeg(camera()), turned.angleDeg));
+    QCOMPARE(d.document().undoStack().count(), 2);
+    // Undo turns the flat view back to where the handle took it, wherever the camera has been
+    // since, and the surface with it, as high above the plane as it is now.
+    dragSurface({200, 200}, {230, 215});
+    QVERIFY(!sameAngle(d.scene().view.angleDeg, turned.angleDeg));
+    const double raised = camera().towards.z();
+    d.trigger("edit.undo");
+    QCOMPARE(d.scene().view.angleDeg, before);
+    QVERIFY(sameAngle(azimuthDeg(camera()), before));
+    QVERIFY(std::abs(camera().towards.z() - raised) < 1e-9);
+    QCOMPARE(d.document().undoStack().index(), 1);
+    dragSurface({200, 200}, {170, 200});
+    d.trigger("edit.redo");
+    QVERIFY(d.scene().view == turned);
+    QVERIFY(sameAngle(azimuthDeg(camera()), turned.angleDeg));
     // Switched off, each goes its own way; along the rulings there is no flat view.
     d.window().bridges().link.setOn(false);
     const double kept = d.scene().view.angleDeg;
@@ -187,6 +197,33 @@ class BridgingTest : public QObject, private BridgingWindow {
     QTest::keyClick(&surface(), Qt::Key_1);
     QVERIFY(!d.window().bridges().link.whyNot().empty());
     QVERIFY((startCamera.towards - camera().towards).norm() > 0.1);
+  }
+
+  void aTurnOfTheSurfaceIsNoEdit() {
+    WindowDriver& d = *driver_;
+    const Scene start = d.scene();
+    extrude();
+    const Scene before = d.scene();
+    d.drag(d.atPoint(2), d.atPoint(2) + QPoint(12, 8));
+    QVERIFY(quiet());
+    const std::vector<SceneCurve> dragged = d.scene().curves;
+    QVERIFY(dragged != before.curves);
+    d.trigger("edit.undo");
+    QVERIFY(d.scene().curves == before.curves);
+    QVERIFY(d.window().files().saveTo(d.path("mine.json")));
+    QVERIFY(!d.document().isModified());
+    surface().setFocus();
+    QTest::keyClick(&surface(), Qt::Key_Left);
+    QVERIFY(!sameAngle(d.scene().view.angleDeg, before.view.angleDeg));
+    QVERIFY(sameAngle(azimuthDeg(camera()), d.scene().view.angleDeg));
+    QVERIFY(!d.document().isModified());
+    QCOMPARE(d.document().undoStack().count(), 2);
+    d.trigger("edit.redo");
+    QVERIFY(d.scene().curves == dragged);
+    // Undone as far as it goes, all is as it was, the view too.
+    d.trigger("edit.undo");
+    d.trigger("edit.undo");
+    QVERIFY(d.scene() == start);
   }
 
   void aRevolutionIsSeenAlongItsAxis() {

@@ -9,19 +9,21 @@
 namespace flatland::ui {
 
 SetView::SetView(Document& document, const View& view, int gesture)
-    : document_(document), view_(view), gesture_(gesture) {
+    : document_(document), before_(document.scene().view), after_(view), gesture_(gesture) {
   assert(!view.distance || (*view.distance > 0.0 && std::isfinite(*view.distance)));
   const bool perspective = view.distance.has_value();
   setText(perspective != document.scene().view.distance.has_value() ? tr("change projection")
                                                                     : tr("turn view"));
-  setObsolete(view_ == document_.scene().view);
+  setObsolete(after_ == before_);
 }
 
 int SetView::id() const { return gesture_ == 0 ? -1 : kViewCommandId; }
 
 bool SetView::mergeWith(const QUndoCommand* other) {
-  if (static_cast<const SetView*>(other)->gesture_ != gesture_) return false;
-  setObsolete(view_ == document_.scene().view);  // the other is done already
+  const auto& later = *static_cast<const SetView*>(other);
+  if (later.gesture_ != gesture_) return false;
+  after_ = later.after_;
+  setObsolete(after_ == before_);
   return true;
 }
 

@@ -9,22 +9,25 @@
 
 namespace flatland::ui {
 
-/// Sets from where the scene is seen. Undo and redo are one swap; obsolete from the start if the
-/// view is that already. Commands of one gesture become one step, which vanishes if the gesture
+/// Sets from where the scene is seen. Undo and redo are exact also where the camera of a linked
+/// surface has turned the view meanwhile, which is no step; obsolete from the start if the view is
+/// that already. Commands of one gesture become one step, which vanishes if the gesture
 /// ends where it began. Precondition: a distance, if set, is positive and finite.
 class SetView : public QUndoCommand {
   Q_DECLARE_TR_FUNCTIONS(SetView)
  public:
   SetView(Document& document, const View& view, int gesture = 0);
 
-  void undo() override { document_.swapView(view_); }
-  void redo() override { document_.swapView(view_); }
+  void undo() override { show(before_); }
+  void redo() override { show(after_); }
   int id() const override;
   bool mergeWith(const QUndoCommand* other) override;
 
  private:
+  void show(View view) { document_.swapView(view); }
+
   Document& document_;
-  View view_;
+  View before_, after_;
   int gesture_;
 };
 

@@ -28,7 +28,9 @@ void sweepCurve(Document& document, std::size_t curve, SweptSurface::Kind kind) 
                      !(withCamera(*document.scene().surface, setting.camera) == setting);
   if (isNew) {
     document.undoStack().beginMacro(text);
-    document.push(std::make_unique<SetView>(document, view));
+    auto turn = std::make_unique<SetView>(document, view);
+    turn->setObsolete(false);  // the camera may turn the view, and undo brings this one back
+    document.push(std::move(turn));
     document.push(std::make_unique<SetSurface>(document, setting, text));
     document.undoStack().endMacro();
   }

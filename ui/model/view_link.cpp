@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/commands/scene_commands.h"
 #include "ui/model/cutting_plane.h"
 #include "ui/model/swept_surface.h"
 
@@ -15,7 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kStillMs = 700;      ///< a turn that pauses longer has ended
 constexpr double kSameDeg = 1e-7;  ///< rounding of turns there and back is far below it
 constexpr double kMatchDeg = 0.1;  ///< a scene written by hand has a few digits
 constexpr double kDeg = 180.0 / std::numbers::pi;
@@ -26,9 +24,6 @@ bool sameAngle(double aDeg, double bDeg) { return std::abs(normalizedDeg(aDeg - 
 
 ViewLink::ViewLink(Document& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document_, &Document::changed, this, &ViewLink::follow);
-  still_.setSingleShot(true);
-  still_.setInterval(kStillMs);
-  connect(&still_, &QTimer::timeout, this, [this] { gesture_ = 0; });
   on_ = !disagree();
   judged_ = canLink();
   showWhyNot();
@@ -113,10 +108,8 @@ void ViewLink::cameraTurned() {
   std::string whyNot;
   const std::optional<View> flat = flatView(&whyNot);
   if (!flat || sameAngle(flat->angleDeg, document_.scene().view.angleDeg)) return;
-  if (gesture_ == 0) gesture_ = document_.newGesture();
-  still_.start();
-  const View view{.angleDeg = normalizedDeg(flat->angleDeg), .distance = {}};
-  document_.push(std::make_unique<SetView>(document_, view, gesture_));
+  View view{.angleDeg = normalizedDeg(flat->angleDeg), .distance = {}};
+  document_.swapView(view);  // no edit, as setCamera() is none
 }
 
 // Called by undo too: it moves the camera, and pushes nothing.
