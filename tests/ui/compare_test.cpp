@@ -3,13 +3,16 @@
 // keys.
 #include <Eigen/Geometry>
 #include <QDoubleSpinBox>
+#include <QListWidget>
 #include <QMenu>
 #include <QPainter>
+#include <QSignalSpy>
 #include <QTextBrowser>
 #include <QToolButton>
 
 #include "core3d/draw/draughtsman.h"
 #include "tests/ui/support_window.h"
+#include "ui/app/message_bar.h"
 #include "ui/app/surface_controller.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/export/figure_qt.h"
@@ -170,6 +173,36 @@ class CompareTest : public QObject {
     driver_->trigger("edit.redo");
     QCOMPARE(driver_->document().undoStack().count(), steps);
     QVERIFY(camera(1) == moved);
+  }
+
+  void aSecondCameraIsKeptAndUsedWhereItIs() {
+    open();
+    driver_->trigger("surface.compare.camera");
+    driver_->window().docks().show("surface");
+    QVERIFY(quiet());
+    QTest::mouseClick(canvas(1), Qt::LeftButton, {}, {3, 40});
+    QCOMPARE(views().active(), std::size_t{1});
+    const SurfaceCamera first = camera(), second = camera(1);
+    QVERIFY(!(first == second));
+    QTest::mouseClick(&driver_->child<QAbstractButton>("surface.camera.keep"), Qt::LeftButton);
+    QCOMPARE(driver_->scene().surface->savedCameras.size(), std::size_t{1});
+    QVERIFY(driver_->scene().surface->savedCameras[0].camera == second);
+    drag(1, {60, 60}, {110, 60});
+    QVERIFY(!(camera(1) == second));
+    auto& list = driver_->child<QListWidget>("surface.cameras");
+    const QPoint at = list.visualItemRect(list.item(0)).center();
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(list.viewport(), Qt::LeftButton, {}, at);
+    QVERIFY(camera(1) == second);
+    QVERIFY(camera() == first);
+  }
+
+  void aFailureIsToldOnce() {
+    open();
+    QSignalSpy again(&driver_->window().surfaceArea(), &SurfaceArea::failed);
+    emit views().failed("no memory");
+    QCOMPARE(driver_->child<MessageBar>("message").text(), QString("no memory"));
+    QCOMPARE(again.count(), 0);
   }
 
   void aSecondCameraTellsOfTheFirst() {

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lines of the 3D panel are the strokes of the drawing of its camera.
 #include <QFile>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextStream>
 #include <algorithm>
+#include <atomic>
+#include <cstdlib>
 #include <map>
+#include <new>
 #include <random>
+#include <thread>
 #include <tuple>
 
 #include "core3d/draw/draughtsman.h"
@@ -19,6 +24,25 @@
 
 using namespace flatland;
 using namespace flatland::ui;
+
+namespace {
+
+// Memory ends once for the work beside the window's thread, when it next asks for a larger piece.
+constexpr std::size_t kLarger = 2048;
+std::atomic<bool> memoryEnds = false;
+const std::thread::id windowThread = std::this_thread::get_id();
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  if (size >= kLarger && std::this_thread::get_id() != windowThread && memoryEnds.exchange(false)) {
+    throw std::bad_alloc();
+  }
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -246,6 +270,74 @@ class SeenStrokesTest : public QObject {
     QVERIFY(seen_->isStale());
     QVERIFY(settled());
     QVERIFY(total() < usual);
+  }
+
+  void aViewOfAnotherShapeHasStrokesOfItsOwn() {
+    SurfaceSetting edited = setting();
+    edited.panes.resize(1);
+    push(edited);
+    QVERIFY(settled());
+    QCOMPARE(other_->seen(), seen_->seen());
+    const Pieces usual = piecesOf(*seen_->seen());
+    // A pixel of the window that cannot be divided is no other shape.
+    other_->setAspect(401.0 / 300.0);
+    QVERIFY(settled());
+    QCOMPARE(other_->seen(), seen_->seen());
+    other_->setAspect(0.2);  // so narrow that all is small
+    QVERIFY(settled());
+    QVERIFY(piecesOf(*seen_->seen()) == usual);
+    const Pieces narrow = piecesOf(*other_->seen());
+    QVERIFY(narrow != usual);
+    // The first becomes as narrow, and then they share again.
+    seen_->setAspect(0.2);
+    QVERIFY(settled());
+    QVERIFY(piecesOf(*seen_->seen()) == narrow);
+    QCOMPARE(other_->seen(), seen_->seen());
+    // And where only the first changes, the other goes on as it was.
+    seen_->setAspect(4.0 / 3.0);
+    QVERIFY(settled());
+    QVERIFY(piecesOf(*other_->seen()) == narrow);
+  }
+
+  void whatFailedIsLookedForAgain() {
+    QSignalSpy failed(seen_.get(), &SeenSource::failed);
+    SurfaceCamera camera = setting().camera;
+    camera.towards = Eigen::Vector3d(1.0, 0.3, 0.1).normalized();
+    memoryEnds = true;
+    document_->setCamera(camera);
+    QVERIFY(settled());
+    QCOMPARE(failed.count(), 1);
+    QVERIFY((seen_->seen()->view.towards - camera.towards).norm() > 0.1);
+    // A change that the lines do not depend on.
+    SurfaceSetting edited = setting();
+    edited.savedCameras.push_back({"kept", camera});
+    push(edited);
+    QVERIFY(settled());
+    QCOMPARE(failed.count(), 1);
+    QVERIFY((seen_->seen()->view.towards - camera.towards).norm() < 1e-12);
+  }
+
+  void inkThatFailedIsSolvedForAgain() {
+    // Nobody else works beside the window's thread, to whom memory could end.
+    other_.reset();
+    seen_.reset();
+    const auto solved = [this] {
+      return QTest::qWaitFor([this] { return !ink_->isStale(); }, kPatienceMs);
+    };
+    QSignalSpy failed(ink_.get(), &InkSource::failed);
+    SurfaceSetting edited = setting();
+    edited.ink = 0.012;
+    memoryEnds = true;
+    push(edited);
+    QVERIFY(solved());
+    QCOMPARE(failed.count(), 1);
+    QVERIFY(!ink_->of(0));
+    // A change that ink does not depend on.
+    edited.savedCameras.push_back({"kept", setting().camera});
+    push(edited);
+    QVERIFY(solved());
+    QCOMPARE(failed.count(), 1);
+    QVERIFY(ink_->of(0));
   }
 
   void aDifferenceIsTheSameAtEveryZoom() {

@@ -81,6 +81,8 @@ InkSource::InkSource(const Document& document, const SurfaceSource& source, QObj
     if (change.touchesSurface() || change.what == Change::What::Camera) follow();
   });
   connect(&source_, &SurfaceSource::changed, this, &InkSource::follow);
+  // What failed once, for want of memory perhaps, is tried again at the next change.
+  connect(&job_, &Job::failed, this, [this] { asked_.clear(); });
   connect(&job_, &Job::failed, this, &InkSource::failed);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/model/seen_surface.h"
 
 #include <chrono>
+#include <cmath>
 #include <mutex>
 
 #include "core3d/draw/compose.h"
@@ -40,6 +41,12 @@ std::vector<LineSegment> allOf(const StrokeLines& lines) {
 
 constexpr double kHeightPx = 600.0;  ///< of a picture of any size: strokes are the same in all
 constexpr double kUsualAspect = 4.0 / 3.0;
+/// Views of one size differ by a pixel where the window cannot be divided; strokes by no more.
+constexpr double kSameShape = 0.02;
+
+bool isSameShape(double aspect, double other) {
+  return std::abs(aspect - other) <= kSameShape * other;
+}
 
 /// The part of a camera that single pieces of line depend on.
 SurfaceCamera foundFor(SurfaceCamera camera) {
@@ -202,12 +209,13 @@ SeenSource::SeenSource(const Document& document, const SurfaceSource& source, st
       job_([this] { begin(); }) {
   connect(&document_, &Document::changed, this, &SeenSource::follow);
   connect(&source_, &SurfaceSource::changed, this, &SeenSource::surfaceChanged);
+  // What failed once, for want of memory perhaps, is tried again at the next change.
+  connect(&job_, &LatestJob::failed, this, [this] { asked_.reset(); });
   connect(&job_, &LatestJob::failed, this, &SeenSource::failed);
   if (ink_) connect(ink_, &InkSource::changed, this, &SeenSource::search);
   if (first_) {
-    connect(first_, &SeenSource::changed, this, [this] {
-      if (borrows_) borrow();
-    });
+    // Its picture may have got another shape.
+    connect(first_, &SeenSource::changed, this, &SeenSource::search);
   }
 }
 
@@ -249,7 +257,8 @@ void SeenSource::borrow() {
 void SeenSource::search() {
   const std::optional<SurfaceSetting>& setting = document_.scene().surface;
   const bool there = setting && pane_ < paneCount(*setting);
-  borrows_ = there && first_ && linesOf(pane_) == linesOf(0);
+  borrows_ = there && first_ && linesOf(pane_) == linesOf(0) &&
+             (setting->unfiltered || isSameShape(aspect_, first_->aspect_));
   if (borrows_ || !there) {
     job_.cancel();
     asked_.reset();

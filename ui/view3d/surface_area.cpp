@@ -52,7 +52,6 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
     if (shown_) makePanes();
     showState();
   });
-  connect(&models_.views, &SurfaceViews::failed, this, &SurfaceArea::failed);
   showState();
 }
 

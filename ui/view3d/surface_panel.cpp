@@ -180,13 +180,13 @@ void SurfacePanel::edit(const QString& text, const std::function<void(SurfaceSet
 }
 
 void SurfacePanel::keepCamera() {
-  edit(tr("keep camera"), [](SurfaceSetting& setting) {
+  edit(tr("keep camera"), [pane = models_.views.active()](SurfaceSetting& setting) {
     // The smallest number that is free.
     for (int i = 1;; ++i) {
       const std::string name = tr("Camera %1").arg(i).toStdString();
       const auto taken = [&name](const SavedCamera& saved) { return saved.name == name; };
       if (std::any_of(setting.savedCameras.begin(), setting.savedCameras.end(), taken)) continue;
-      setting.savedCameras.push_back({name, setting.camera});
+      setting.savedCameras.push_back({name, paneCamera(setting, pane)});
       return;
     }
   });
@@ -196,7 +196,8 @@ void SurfacePanel::useCamera() {
   const auto& setting = models_.document.scene().surface;
   const int row = cameras_->currentRow();
   if (!setting || row < 0) return;
-  models_.document.setCamera(setting->savedCameras[static_cast<std::size_t>(row)].camera);
+  models_.document.setCamera(setting->savedCameras[static_cast<std::size_t>(row)].camera,
+                             models_.views.active());
 }
 
 void SurfacePanel::forgetCamera() {
