@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written of the surface and its views, from the real window.
+#include <QComboBox>
 #include <QLabel>
+#include <QMessageBox>
 #include <QSignalSpy>
 #include <set>
 
@@ -302,6 +304,47 @@ class SurfaceExportTest : public QObject {
     QCOMPARE(QImage(png).size(), QSize(320, 240));
   }
 
+  void aNameWithoutSuffixGetsThatOfTheFilter() {
+    const std::pair<const char*, const char*> cases[] = {
+        {"lines", ".svg"}, {"shade", ".png"}, {"curvature", ".ply"}, {"cameras", ".json"}};
+    int row = 0;
+    for (const auto& [name, suffix] : cases) {
+      typeFileName(driver_->path(name), [row] {
+        auto* types = QApplication::activeModalWidget()->findChild<QComboBox*>("fileTypeCombo");
+        QVERIFY(types);
+        for (int i = 0; i < row; ++i) QTest::keyClick(types, Qt::Key_Down);
+      });
+      driver_->trigger("surface.export");
+      QTRY_VERIFY2_WITH_TIMEOUT(QFile::exists(driver_->path(name) + suffix), name, kPatienceMs);
+      ++row;
+    }
+    QVERIFY(!QImage(driver_->path("shade.png")).isNull());
+  }
+
+  void closingWaitsForTheExport() {
+    const QString svg = driver_->path("late.svg"), csv = driver_->path("later.csv");
+    typeFileName(svg);
+    driver_->trigger("surface.export");
+    driver_->window().surfaces().exporter().exportTo(csv, {});
+    discardChanges();
+    QVERIFY(driver_->window().close());
+    QVERIFY(textOf(svg).contains("</svg>"));
+    QVERIFY(!textOf(csv).isEmpty());
+  }
+
+  void aFailedExportKeepsTheWindowOpen() {
+    const QString svg = driver_->path("nowhere/late.svg");
+    SurfaceExporter& exporter = driver_->window().surfaces().exporter();
+    exporter.exportTo(svg, {320, 240});
+    QVERIFY(exporter.isBusy());
+    QVERIFY(!driver_->window().close());
+    QVERIFY(driver_->window().isVisible());
+    QVERIFY(driver_->child<QLabel>("message.text").text().contains("late.svg"));
+    // Told once, it closes.
+    discardChanges();
+    QVERIFY(driver_->window().close());
+  }
+
   void theMeshItselfIsNotOverwritten() {
     const QString mesh = driver_->path("mesh.ply");
     driver_->window().surfaces().exporter().exportTo(mesh, {});
@@ -354,6 +397,13 @@ class SurfaceExportTest : public QObject {
     driver_->window().surfaces().exporter().exportTo(file, {640, 480});
     if (!QTest::qWaitFor([&file] { return QFile::exists(file); }, kPatienceMs)) return {};
     return QImage(file);
+  }
+  /// Answers the question about unsaved work that closing asks.
+  static void discardChanges() {
+    whenModal([](QWidget& box) {
+      QTest::mouseClick(qobject_cast<QMessageBox*>(&box)->button(QMessageBox::Discard),
+                        Qt::LeftButton);
+    });
   }
   void push(const SurfaceSetting& setting) {
     driver_->document().push(std::make_unique<SetSurface>(driver_->document(), setting, "edit"));

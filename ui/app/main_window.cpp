@@ -308,7 +308,7 @@ void MainWindow::exportFigure() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!files_->mayDiscard()) {
+  if (!surfaces_->finishExports() || !files_->mayDiscard()) {
     event->ignore();
     return;
   }

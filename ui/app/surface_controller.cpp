@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/surface_controller.h"
 
+#include <QApplication>
 #include <QDir>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QSettings>
 #include <algorithm>
 
@@ -37,6 +40,12 @@ QStringList meshPatterns() {
   QStringList patterns;
   for (const char* extension : kMeshExtensions) patterns << QStringLiteral("*.") + extension;
   return patterns;
+}
+
+/// ".svg" of "Lines (*.svg *.pdf)": what a name without a suffix gets.
+QString firstSuffix(const QString& filter) {
+  static const QRegularExpression kPattern(QStringLiteral("\\*(\\.\\w+)"));
+  return kPattern.match(filter).captured(1);
 }
 
 }  // namespace
@@ -130,17 +139,35 @@ void SurfaceController::close() {
 void SurfaceController::exportPicture() {
   if (!models_.source.surface()) return;
   const QString start = settings_ ? settings_->value(kExportFolderKey).toString() : QString();
-  QString name = QFileDialog::getSaveFileName(
-      &window_, tr("Export surface"), QDir(start).filePath(tr("surface") + ".svg"),
-      tr("Lines as vectors (*.svg *.pdf *.tex);;Picture with shading (*.png);;"
-         "Curvature at the vertices (*.ply *.csv);;Cameras for flatland lines (*.json)"));
+  const QStringList filters{
+      tr("Lines as vectors (*.svg *.pdf *.tex)"), tr("Picture with shading (*.png)"),
+      tr("Curvature at the vertices (*.ply *.csv)"), tr("Cameras for flatland lines (*.json)")};
+  QString filter = filters.front();
+  QString name = QFileDialog::getSaveFileName(&window_, tr("Export surface"),
+                                              QDir(start).filePath(tr("surface") + ".svg"),
+                                              filters.join(";;"), &filter);
   if (name.isEmpty()) return;
   if (QFileInfo(name).suffix().isEmpty()) {
-    name += ".svg";
+    name += firstSuffix(filter);
     if (!files_.mayReplace(name)) return;
   }
   if (settings_) settings_->setValue(kExportFolderKey, QFileInfo(name).absolutePath());
   exporter_.exportTo(name, kPictureSize);
+}
+
+bool SurfaceController::finishExports() {
+  if (!exporter_.isBusy()) return true;
+  bool allWritten = true;
+  const auto watch =
+      connect(&exporter_, &SurfaceExporter::failed, this, [&allWritten] { allWritten = false; });
+  emit said(tr("The window closes when the export is written."));
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  QEventLoop loop;
+  connect(&exporter_, &SurfaceExporter::idle, &loop, &QEventLoop::quit);
+  loop.exec(QEventLoop::ExcludeUserInputEvents);
+  QApplication::restoreOverrideCursor();
+  disconnect(watch);
+  return allWritten;
 }
 
 }  // namespace flatland::ui

@@ -36,6 +36,9 @@ class SurfaceController : public QObject {
 
   void exportPicture();  ///< asks where to, see SurfaceExporter
   SurfaceExporter& exporter() { return exporter_; }
+  /// Waits for the exports under way, if there are any, while the window is painted but takes no
+  /// input. False if one of them failed: it has been told, and the window should stay.
+  bool finishExports();
 
   const SurfaceModels& models() const { return models_; }
 

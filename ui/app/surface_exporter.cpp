@@ -5,13 +5,16 @@
 #include <QFileInfo>
 #include <QImage>
 #include <filesystem>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "core3d/io/cameras_json.h"
 #include "core3d/io/fields_text.h"
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
 #include "flatland/io/scene_json.h"
+#include "ui/model/core_words.h"
 #include "ui/model/orbit.h"
 #include "ui/model/paths.h"
 #include "ui/plot/figure_files.h"
@@ -63,8 +66,21 @@ SurfaceExporter::SurfaceExporter(const SurfaceModels& models, QObject* parent)
   connect(&job_, &Job::runningChanged, this, &SurfaceExporter::startNext, Qt::QueuedConnection);
 }
 
+void SurfaceExporter::enqueue(const QString& name, std::function<void()> writing) {
+  waiting_.push_back([this, name, writing = std::move(writing)] {
+    job_.start<QString>(
+        [name, writing](const JobControl&) {
+          writing();
+          return std::optional(name);
+        },
+        [this](const QString& file) { emit written(file); });
+  });
+  startNext();
+}
+
 void SurfaceExporter::startNext() {
-  if (job_.isRunning() || waiting_.empty()) return;
+  if (job_.isRunning()) return;
+  if (waiting_.empty()) return emit idle();
   const std::function<void()> start = std::move(waiting_.front());
   waiting_.pop_front();
   start();
@@ -86,22 +102,17 @@ void SurfaceExporter::exportTo(const QString& name, const QSize& size) {
 }
 
 void SurfaceExporter::writePicture(const QString& name, const QSize& size) {
-  enqueue<QImage>(
-      [pictures = picturesOf(models_), size](const JobControl&) {
-        return std::optional(paintSurfaces(pictures, size));
-      },
-      [this, name](const QImage& image) {
-        write(name, [&] {
-          QByteArray png;
-          QBuffer buffer(&png);
-          buffer.open(QIODevice::WriteOnly);
-          if (!image.save(&buffer, "PNG")) {
-            throw InputError(name.toStdString(), "", "no picture of this size can be made");
-          }
-          writeFileAtomically(toPath(name), std::string_view(png.constData(),
-                                                             static_cast<std::size_t>(png.size())));
-        });
-      });
+  enqueue(name, [name, pictures = picturesOf(models_), size] {
+    const QImage image = paintSurfaces(pictures, size);
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, "PNG")) {
+      throw InputError(name.toStdString(), "", "no picture of this size can be made");
+    }
+    writeFileAtomically(toPath(name),
+                        std::string_view(png.constData(), static_cast<std::size_t>(png.size())));
+  });
 }
 
 void SurfaceExporter::writeLines(const QString& name, const QSize& size) {
@@ -111,49 +122,32 @@ void SurfaceExporter::writeLines(const QString& name, const QSize& size) {
       return emit notYet();
     }
   }
-  enqueue<Figure>(
-      [pictures, size](const JobControl&) { return std::optional(surfaceFigure(pictures, size)); },
-      [this, name, title = surfaceName(models_.source.surface()->reference),
-       scene = models_.document.scene()](const Figure& figure) {
-        write(name, [&] {
-          writeFigureFile(toPath(name), {.suggestedName = {},
-                                         .title = title,
-                                         .sceneJson = sceneToJson(scene),
-                                         .figure = [&figure] { return figure; },
-                                         .table = {}});
-        });
-      });
+  enqueue(name, [name, pictures, size, title = surfaceName(models_.source.surface()->reference),
+                 scene = models_.document.scene()] {
+    writeFigureFile(toPath(name), {.suggestedName = {},
+                                   .title = title,
+                                   .sceneJson = sceneToJson(scene),
+                                   .figure = [&] { return surfaceFigure(pictures, size); },
+                                   .table = {}});
+  });
 }
 
 void SurfaceExporter::writeFields(const QString& name) {
   const auto& surface = models_.source.surface();
   if (const auto why = whyNoFieldsFile(*surface->mesh)) {
-    return emit failed(QString::fromStdString(*why));
+    return emit failed(coreWords(*why));
   }
-  const SurfaceView view = models_.foundView();
   const bool csv = QFileInfo(name).suffix().toLower() == "csv";
-  enqueue<std::string>(
-      [surface, view, csv](const JobControl&) {
-        return std::optional(csv ? fieldsToCsv(*surface->mesh, *surface->fields, view)
-                                 : fieldsToPly(*surface->mesh, *surface->fields, view));
-      },
-      [this, name](const std::string& text) {
-        write(name, [&] { writeFileAtomically(toPath(name), text); });
-      });
+  enqueue(name, [name, surface, view = models_.foundView(), csv] {
+    writeFileAtomically(toPath(name), csv ? fieldsToCsv(*surface->mesh, *surface->fields, view)
+                                          : fieldsToPly(*surface->mesh, *surface->fields, view));
+  });
 }
 
 void SurfaceExporter::writeCameras(const QString& name) {
-  const std::string text = camerasText(*models_.document.scene().surface);
-  write(name, [&] { writeFileAtomically(toPath(name), text); });
-}
-
-void SurfaceExporter::write(const QString& name, const std::function<void()>& writing) {
-  try {
-    writing();
-  } catch (const InputError& error) {
-    return emit failed(QString::fromStdString(error.what()));
-  }
-  emit written(name);
+  enqueue(name, [name, text = camerasText(*models_.document.scene().surface)] {
+    writeFileAtomically(toPath(name), text);
+  });
 }
 
 }  // namespace flatland::ui

@@ -6,8 +6,6 @@
 #include <QString>
 #include <deque>
 #include <functional>
-#include <optional>
-#include <utility>
 
 #include "ui/jobs/job.h"
 #include "ui/view3d/surface_models.h"
@@ -29,25 +27,23 @@ class SurfaceExporter : public QObject {
   /// surface.
   void exportTo(const QString& name, const QSize& size);
 
+  /// True until the files of all exports are written, or could not be.
+  bool isBusy() const { return job_.isRunning() || !waiting_.empty(); }
+
  signals:
   void written(const QString& name);
   void failed(const QString& reason);
   void notYet();  ///< the lines are still being looked for
+  void idle();    ///< no longer busy
 
  private:
-  void write(const QString& name, const std::function<void()>& writing);
   void writePicture(const QString& name, const QSize& size);
   void writeLines(const QString& name, const QSize& size);
   void writeFields(const QString& name);
   void writeCameras(const QString& name);
   void startNext();
-  template <class Value>
-  void enqueue(std::function<std::optional<Value>(const JobControl&)> work,
-               std::function<void(const Value&)> done) {
-    waiting_.push_back(
-        [this, work = std::move(work), done = std::move(done)] { job_.start<Value>(work, done); });
-    startNext();
-  }
+  /// `writing` runs beside the window's thread, when the exports before it are done.
+  void enqueue(const QString& name, std::function<void()> writing);
 
   SurfaceModels models_;
   Job job_;

@@ -5537,12 +5537,28 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
         <translation>Exportiert nach %1</translation>
     </message>
     <message>
-        <source>Lines as vectors (*.svg *.pdf *.tex);;Picture with shading (*.png);;Curvature at the vertices (*.ply *.csv);;Cameras for flatland lines (*.json)</source>
-        <translation>Linien als Vektoren (*.svg *.pdf *.tex);;Bild mit Schattierung (*.png);;Krümmung an den Ecken (*.ply *.csv);;Kameras für flatland lines (*.json)</translation>
-    </message>
-    <message>
         <source>Does it lie down? Surface &gt; Up Axis stands it up.</source>
         <translation>Liegt es? Fläche &gt; Achse nach oben stellt es auf.</translation>
+    </message>
+    <message>
+        <source>Lines as vectors (*.svg *.pdf *.tex)</source>
+        <translation>Linien als Vektoren (*.svg *.pdf *.tex)</translation>
+    </message>
+    <message>
+        <source>Picture with shading (*.png)</source>
+        <translation>Bild mit Schattierung (*.png)</translation>
+    </message>
+    <message>
+        <source>Curvature at the vertices (*.ply *.csv)</source>
+        <translation>Krümmung an den Ecken (*.ply *.csv)</translation>
+    </message>
+    <message>
+        <source>Cameras for flatland lines (*.json)</source>
+        <translation>Kameras für flatland lines (*.json)</translation>
+    </message>
+    <message>
+        <source>The window closes when the export is written.</source>
+        <translation>Das Fenster schließt, wenn der Export geschrieben ist.</translation>
     </message>
 </context>
 <context>
