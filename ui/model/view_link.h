@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 #include <optional>
 #include <string>
 
@@ -13,8 +12,8 @@ namespace flatland::ui {
 
 /// Keeps the flat view and the camera of the surface looking from the same side, where the surface
 /// and the curves belong together: the curve that it is swept from, or one that was cut out of it.
-/// Who turns the surface turns the flat view, as one step for undo; who turns the flat view turns
-/// the surface about the normal of the curve's plane.
+/// Who turns the surface turns the flat view, which is no step for undo; who turns the flat view
+/// turns the surface about the normal of the curve's plane.
 class ViewLink : public QObject {
   Q_OBJECT
 
@@ -58,8 +57,6 @@ class ViewLink : public QObject {
   bool on_ = true;
   bool judged_ = true;  ///< false: of the scene that was opened it is not known yet
   std::string whyNot_;
-  int gesture_ = 0;  ///< of the turn under way
-  QTimer still_;     ///< ends it
 };
 
 }  // namespace flatland::ui
