@@ -109,8 +109,6 @@ bool FileController::saveLessonScene() {
   return true;
 }
 
-bool FileController::mayReplace(const QString& name) { return ui::mayReplace(&window_, name); }
-
 bool FileController::saveTo(const QString& name) {
   emit aboutToUseFile();
   try {

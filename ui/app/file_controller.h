@@ -48,9 +48,6 @@ class FileController : public QObject {
   /// which is not the person's own.
   void setLessonEdits(std::function<bool()> has) { hasLessonEdits_ = std::move(has); }
 
-  /// True if there is no such file, or the person says it may be replaced.
-  bool mayReplace(const QString& name);
-
   /// Files opened or saved last, newest first; also those that are gone in the meantime.
   QStringList recentFiles() const;
   void clearRecentFiles();

@@ -30,6 +30,7 @@
 #include "ui/import/mesh_name.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/paths.h"
+#include "ui/panels/save_name.h"
 #include "ui/view3d/section_panel.h"
 #include "ui/view3d/surface_area.h"
 
@@ -292,7 +293,7 @@ void MainWindow::exportFigure() {
   if (name.isEmpty()) return;
   if (QFileInfo(name).suffix().compare(suffix, Qt::CaseInsensitive) != 0) {
     name += "." + suffix;
-    if (!files_->mayReplace(name)) return;
+    if (!mayReplace(this, name)) return;
   }
   try {
     exportTo(toPath(name), document_, settings);

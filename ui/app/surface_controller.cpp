@@ -6,7 +6,6 @@
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <QSettings>
 #include <algorithm>
 
@@ -15,6 +14,7 @@
 #include "ui/commands/scene_commands.h"
 #include "ui/import/mesh_name.h"
 #include "ui/model/surface_look.h"
+#include "ui/panels/save_name.h"
 
 namespace flatland::ui {
 
@@ -40,12 +40,6 @@ QStringList meshPatterns() {
   QStringList patterns;
   for (const char* extension : kMeshExtensions) patterns << QStringLiteral("*.") + extension;
   return patterns;
-}
-
-/// ".svg" of "Lines (*.svg *.pdf)": what a name without a suffix gets.
-QString firstSuffix(const QString& filter) {
-  static const QRegularExpression kPattern(QStringLiteral("\\*(\\.\\w+)"));
-  return kPattern.match(filter).captured(1);
 }
 
 }  // namespace
@@ -142,15 +136,9 @@ void SurfaceController::exportPicture() {
   const QStringList filters{
       tr("Lines as vectors (*.svg *.pdf *.tex)"), tr("Picture with shading (*.png)"),
       tr("Curvature at the vertices (*.ply *.csv)"), tr("Cameras for flatland lines (*.json)")};
-  QString filter = filters.front();
-  QString name = QFileDialog::getSaveFileName(&window_, tr("Export surface"),
-                                              QDir(start).filePath(tr("surface") + ".svg"),
-                                              filters.join(";;"), &filter);
+  const QString name = askSaveName(&window_, tr("Export surface"),
+                                   QDir(start).filePath(tr("surface") + ".svg"), filters);
   if (name.isEmpty()) return;
-  if (QFileInfo(name).suffix().isEmpty()) {
-    name += firstSuffix(filter);
-    if (!files_.mayReplace(name)) return;
-  }
   if (settings_) settings_->setValue(kExportFolderKey, QFileInfo(name).absolutePath());
   exporter_.exportTo(name, kPictureSize);
 }
