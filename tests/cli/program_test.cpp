@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program from the outside: arguments in, files, text and exit codes out.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "flatland/features/features.h"
 #include "flatland/io/features_text.h"
@@ -271,13 +273,41 @@ TEST(Draw, SvgNeedsNoQtAndMakesItselfAgain) {
   EXPECT_NE(svg.find("id=\"control-polygon\""), std::string::npos);
   EXPECT_EQ(textOf(xml, "program"), "flatland " FLATLAND_VERSION);
 
-  // The command in the file, read by a shell, makes the same file.
+  // The command in the file, read by a shell, makes the same file in another folder; where the
+  // first one was made it does not tell.
+  EXPECT_EQ(svg.find(folder.path().string()), std::string::npos);
   std::string command = textOf(xml, "command").value_or("");
   ASSERT_EQ(command.rfind("flatland draw", 0), 0U) << command;
   command.replace(0, std::string("flatland").size(), "'" FLATLAND_PROGRAM "'");
-  std::filesystem::remove(file);
-  ASSERT_EQ(runProgram("/bin/sh", {.arguments = {"-c", command}}).exitCode, 0) << command;
-  EXPECT_EQ(contentsOf(file), svg);
+  const TemporaryFolder other;
+  ASSERT_EQ(runProgram("/bin/sh", {.arguments = {"-c", command}, .folder = other.path()}).exitCode,
+            0)
+      << command;
+  EXPECT_EQ(contentsOf(other.path() / "it's.svg"), svg);
+}
+
+TEST(Draw, NoPictureTellsOfFolders) {
+  const TemporaryFolder folder;
+  const std::filesystem::path secret = folder.path() / "secret";
+  std::filesystem::create_directory(secret);
+  const std::string scene = (secret / "a b.json").string();
+  std::ofstream(scene) << run({"presets", "thesis"}).out;
+  for (const char* command : {"draw", "sweep", "bridge"}) {
+    const std::string title = std::string(command) + ".svg";
+    const std::vector<std::vector<std::string>> ways{
+        {command, scene, "-o", (secret / title).string()},
+        {command, "secret/a b.json", "-osecret/" + title},
+        {command, "./secret/../secret/a b.json", "--output=" + (secret / title).string()}};
+    for (std::vector<std::string> all : ways) {
+      if (all[0] == "bridge") all.insert(all.end(), {"--resolutions", "16"});
+      const ProgramResult result = runIn(folder.path(), all);
+      ASSERT_EQ(result.exitCode, 0) << result.err;
+      const std::string svg = contentsOf(secret / title);
+      EXPECT_EQ(svg.find("secret"), std::string::npos) << svg.substr(0, 1000);
+      EXPECT_NE(svg.find("a b.json</title>"), std::string::npos) << svg.substr(0, 1000);
+      EXPECT_NE(svg.find(title), std::string::npos) << svg.substr(0, 1000);
+    }
+  }
 }
 
 TEST(Draw, TikzNeedsNoQt) {

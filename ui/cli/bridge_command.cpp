@@ -84,7 +84,7 @@ void write(const Options& options, const BridgePrediction& prediction,
   std::vector<ConvergenceSeries> shown;
   for (const BridgeSeries& series : all) shown.push_back(convergenceOf(series));
   writePicture(options.output, convergenceFigure(shown, "bridge", figure),
-               {.title = "Flatland, bridge: " + options.scene,
+               {.title = "Flatland, bridge: " + withoutFolders(options.scene),
                 .program = "flatland " FLATLAND_VERSION,
                 .command = options.command,
                 .sceneJson = json,

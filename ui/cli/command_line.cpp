@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cli/command_line.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -77,12 +78,23 @@ void addLanguage(CLI::App& command, std::string& language, const std::string& he
       ->check(CLI::IsMember({"en", "de", "system"}).description(""));
 }
 
-std::string shellLine(int argc, const char* const* argv) {
+std::string withoutFolders(const std::string& file) {
+  return file.substr(file.rfind('/') + 1);  // from 0 if there is none
+}
+
+std::string commandWithoutFolders(int argc, const char* const* argv) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/@%";
   std::string line = "flatland";  // wherever it was started from
   for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
+    std::string argument = argv[i];
+    std::size_t file = 0;  // where it may begin; no argument but files has a slash
+    if (argument.starts_with("--")) {
+      file = argument.find('=') + 1;
+    } else if (argument.starts_with('-')) {
+      file = std::min<std::size_t>(2, argument.size());
+    }
+    argument.replace(file, std::string::npos, withoutFolders(argument.substr(file)));
     line += ' ';
     if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string_view::npos) {
       line += argument;

@@ -48,8 +48,13 @@ void addSize(CLI::App& command, PixelSize& size);
 /// The option --language CODE.
 void addLanguage(CLI::App& command, std::string& language, const std::string& help);
 
-/// The arguments as one line that a POSIX shell reads back as the same arguments.
-std::string shellLine(int argc, const char* const* argv);
+/// What a written file may tell of where it was made: of the path of a file its name, other
+/// references (preset:NAME, solid:NAME) as they are.
+std::string withoutFolders(const std::string& file);
+
+/// The arguments as one line that a POSIX shell reads back, files without their folders, also in
+/// "-oFILE" and "--output=FILE".
+std::string commandWithoutFolders(int argc, const char* const* argv);
 
 /// Writes a result to standard output. Throws InputError if that fails.
 void writeToStandardOutput(const std::string& text);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
-
 #include "flatland/io/scene_json.h"
 #include "ui/cli/command_line.h"
 #include "ui/cli/number_check.h"
@@ -52,11 +50,10 @@ int run(const Options& options, const std::string& commandLine) {
   const Scene scene = sceneFromArgument(options.scene, options.viewAngleDeg);
   const Figure figure =
       flatFigure(scene, findFeatures(scene), Visibility(scene), figureOptions(options));
-  const FigureSource source{
-      .title = "Flatland: " + std::filesystem::path(options.scene).filename().string(),
-      .program = "flatland " FLATLAND_VERSION,
-      .command = commandLine,
-      .sceneJson = sceneToJson(scene)};
+  const FigureSource source{.title = "Flatland: " + withoutFolders(options.scene),
+                            .program = "flatland " FLATLAND_VERSION,
+                            .command = commandLine,
+                            .sceneJson = sceneToJson(scene)};
   writePicture(options.output, figure, source, options.dpi);
   return kDone;
 }

@@ -62,9 +62,9 @@ int run(int argc, char** argv) {
   Action action;
   addWindowCommand(app, action);
   addFeaturesCommand(app, action);
-  addDrawCommand(app, action, shellLine(argc, argv));
+  addDrawCommand(app, action, commandWithoutFolders(argc, argv));
   addProfileCommand(app, action);
-  addSweepCommand(app, action, shellLine(argc, argv));
+  addSweepCommand(app, action, commandWithoutFolders(argc, argv));
   addStudyCommand(app, action);
   addDerivationCommand(app, action);
   addLinesCommand(app, action, commandWithoutFolders(argc, argv));

@@ -279,25 +279,6 @@ void refuseToOverwrite(const std::string& mesh, const std::string& output) {
   }
 }
 
-std::string commandWithoutFolders(int argc, const char* const* argv) {
-  std::vector<std::string> arguments;
-  for (int i = 0; i < argc; ++i) {
-    std::string argument = argv[i];
-    // "/a/b.obj", "-o/a/b.svg", "--output=/a/b.svg"
-    std::size_t start = std::string::npos;
-    if (argument.starts_with('/')) start = 0;
-    if (argument.starts_with("-o/")) start = 2;
-    if (const std::size_t equals = argument.find("=/"); equals != std::string::npos) {
-      start = equals + 1;
-    }
-    if (start != std::string::npos) argument.erase(start, argument.rfind('/') + 1 - start);
-    arguments.push_back(std::move(argument));
-  }
-  std::vector<const char*> pointers;
-  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
-  return shellLine(argc, pointers.data());
-}
-
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();

@@ -54,10 +54,6 @@ PreparedMesh preparedMesh(const std::string& mesh, const FieldOptions& fields);
 /// Throws UsageError if `output` is the file of the mesh, also by another path or a link.
 void refuseToOverwrite(const std::string& mesh, const std::string& output);
 
-/// The command line without the folders of files that were given by absolute paths: what a picture
-/// may tell the world of where it was made.
-std::string commandWithoutFolders(int argc, const char* const* argv);
-
 /// Milliseconds since `start`, wall clock.
 double millisecondsSince(std::chrono::steady_clock::time_point start);
 

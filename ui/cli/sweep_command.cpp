@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdio>
-#include <filesystem>
 
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/scene_json.h"
@@ -67,12 +66,11 @@ int run(const Options& options, const std::string& commandLine) {
     note("what is hidden is not marked: more than " + std::to_string(SweepVisibility::kMostRays) +
          " lines of sight would have to be followed");
   }
-  writePicture(
-      options.output, sweepFigure(sweep, curveLengths(scene), figure),
-      {.title = "Flatland, view sweep: " + std::filesystem::path(options.scene).filename().string(),
-       .program = "flatland " FLATLAND_VERSION,
-       .command = commandLine,
-       .sceneJson = sceneToJson(scene)});
+  writePicture(options.output, sweepFigure(sweep, curveLengths(scene), figure),
+               {.title = "Flatland, view sweep: " + withoutFolders(options.scene),
+                .program = "flatland " FLATLAND_VERSION,
+                .command = commandLine,
+                .sceneJson = sceneToJson(scene)});
   return kDone;
 }
 
