@@ -69,6 +69,7 @@ LineChain cutBack(const ScreenChain& line, double front, double back) {
   keep(result.strength, first.piece, last.piece + 2);
   keep(result.triangles, first.piece, last.piece + 1);
   if (!result.standsOut.empty()) keep(result.standsOut, first.piece, last.piece + 1);
+  if (!result.others.empty()) keep(result.others, first.piece, last.piece + 1);
   result.points.front() = first.at.cast<float>();
   result.points.back() = last.at.cast<float>();
   result.strength.front() = first.strength;
@@ -227,6 +228,7 @@ class Bridges {
       if (e == kNoEnd) return chain;
       chain.triangles.push_back(chain.triangles.back());
       chain.standsOut.push_back(chain.standsOut.back());
+      chain.others.push_back(TriangleMesh::kNone);
       if (used[e / 2]) {
         chain.closed = true;
         return chain;
@@ -246,6 +248,11 @@ class Bridges {
     add(chain.strength, next.strength);
     add(chain.triangles, next.triangles);
     add(chain.standsOut, next.standsOut);
+    if (next.others.empty()) {
+      chain.others.insert(chain.others.end(), next.pieceCount(), TriangleMesh::kNone);
+    } else {
+      add(chain.others, next.others);
+    }
   }
 
   std::vector<ScreenChain> lines_;

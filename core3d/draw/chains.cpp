@@ -217,6 +217,7 @@ class Joiner {
       chain.strength.back() = std::max(chain.strength.back(), endOf(e).strength);
       chain.triangles.push_back(pieces_[e / 2].segment->triangle);
       chain.standsOut.push_back(pieces_[e / 2].segment->standsOut);
+      chain.others.push_back(pieces_[e / 2].segment->other);
       chain.points.push_back(endOf(e ^ 1u).at);
       chain.strength.push_back(endOf(e ^ 1u).strength);
     }

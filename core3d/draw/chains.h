@@ -18,8 +18,12 @@ struct LineChain {
   std::vector<float> strength;          ///< of each point
   /// The triangle of the piece from point i to the next; as many as there are pieces.
   std::vector<std::uint32_t> triangles;
-  std::vector<bool> standsOut;  ///< of each piece, see LineSegment
+  std::vector<bool> standsOut;        ///< of each piece, see LineSegment
+  std::vector<std::uint32_t> others;  ///< of each piece, see LineSegment; empty: none has one
 
+  std::uint32_t otherOf(std::size_t piece) const {
+    return others.empty() ? TriangleMesh::kNone : others[piece];
+  }
   std::size_t pieceCount() const { return closed ? points.size() : points.size() - 1; }
 };
 

@@ -42,8 +42,9 @@ class Looker {
       : sight_(sight), projection_(projection), view_(projection.view()), outlines_(outlines) {}
 
   Seen look(const ScreenChain& line, const ScreenChain::Point& p) {
-    const SightPoint point{p.at, line.chain.triangles[p.piece], !followsTheMesh(line.chain.family),
-                           line.chain.family == LineFamily::Creases};
+    const std::uint32_t other = line.chain.otherOf(p.piece);
+    const bool interpolated = other == TriangleMesh::kNone && !followsTheMesh(line.chain.family);
+    const SightPoint point{p.at, line.chain.triangles[p.piece], interpolated, other};
     const double px = unitsPerPx(p.at);
     ++rays_;
     const bool hidden =

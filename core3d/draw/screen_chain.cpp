@@ -144,6 +144,7 @@ ScreenChain part(const LineChain& chain, const std::vector<Kept>& kept, std::siz
     add(piece, false);
     result.triangles.push_back(chain.triangles[piece % pieces]);
     if (!chain.standsOut.empty()) result.standsOut.push_back(chain.standsOut[piece % pieces]);
+    result.others.push_back(chain.otherOf(piece % pieces));
   }
   return measured(std::move(result), std::move(places));
 }

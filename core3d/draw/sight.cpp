@@ -5,10 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -33,6 +31,9 @@ const double kFoldCosine = cosineOfDeg(kFoldDeg);
 constexpr double kFacingAway = -0.1;
 // Where the normals of the vertices turn from the triangle's by more, they are means over a crease.
 const double kCreasedCosine = cosineOfDeg(kCreaseDeg);
+// One plus the cosine between the normals of two sheets. Down to it, which is at 151 degrees, a
+// place as far from both is at most four times as far from the line where they meet.
+constexpr double kLeastOpening = 0.125;
 // Far outside of every mesh, whose coordinates lie in [-1, 1].
 constexpr double kFarOutside = 8.0;
 
@@ -80,30 +81,25 @@ bool areOneFold(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
   return false;
 }
 
-// The triangle beyond that edge of a point's triangle which the point lies on.
-std::optional<std::uint32_t> triangleBeyond(const TriangleMesh& mesh, const SightPoint& point) {
-  std::uint32_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::uint32_t h = 3 * point.triangle; h < 3 * point.triangle + 3; ++h) {
-    const Vector3d a = mesh.position(mesh.vertexOf(h)).cast<double>();
-    const Vector3d b = mesh.position(mesh.vertexOf(TriangleMesh::nextCorner(h))).cast<double>();
-    const double distance = (point.at - a).cross((b - a).stableNormalized()).norm();
-    if (distance < least) {
-      least = distance;
-      nearest = h;
-    }
-  }
-  if (!mesh.hasOpposite(nearest)) return std::nullopt;
-  return mesh.opposite[nearest] / 3;
+// The place on the viewer's side of both triangles, `offset` from each. Where they meet so sharply
+// that this is far off, nearer.
+Vector3d outsideBoth(const TriangleMesh& mesh, const SightPoint& point, const Vector3d& w,
+                     double offset) {
+  const auto towards = [&](std::uint32_t t) {
+    const Vector3d flat = crossOf(mesh, t).stableNormalized();
+    return Vector3d(flat.dot(w) < 0.0 ? -flat : flat);
+  };
+  const Vector3d a = towards(point.triangle), b = towards(point.other);
+  return point.at + offset / std::max(1.0 + a.dot(b), kLeastOpening) * (a + b);
 }
 
 // A ray with what its filter has to know.
 struct Context {
   RTCIntersectContext embree;
   const TriangleMesh* mesh;
-  std::uint32_t own;
-  float touchingNeighbour;  // a hit on a neighbour does not count below this distance ...
-  float foldReach;          // ... or this one, if the neighbour belongs to the same fold
+  std::uint32_t own, other;  // kNone: no other
+  float touchingNeighbour;   // a hit on a neighbour does not count below this distance ...
+  float foldReach;           // ... or this one, if the neighbour belongs to the same fold
 };
 
 void ignoreOwn(const RTCFilterFunctionNArguments* arguments) {
@@ -111,9 +107,11 @@ void ignoreOwn(const RTCFilterFunctionNArguments* arguments) {
   const auto hit = rtcGetHitFromHitN(arguments->hit, arguments->N, 0);
   const float distance = RTCRayN_tfar(arguments->ray, arguments->N, 0);
   const std::uint32_t t = hit.primID;
-  bool ignored = t == context.own;
+  bool ignored = t == context.own || t == context.other;
   if (!ignored && distance < context.touchingNeighbour) {
-    ignored = shareVertex(*context.mesh, t, context.own);
+    ignored =
+        shareVertex(*context.mesh, t, context.own) ||
+        (context.other != TriangleMesh::kNone && shareVertex(*context.mesh, t, context.other));
   }
   if (!ignored && distance < context.foldReach) {
     ignored = areOneFold(*context.mesh, t, context.own);
@@ -204,30 +202,30 @@ Vector3d Sight::normalAt(const SightPoint& point) const {
 }
 
 bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offset) const {
-  Vector3d normal = normalAt(point);
+  const TriangleMesh& mesh = *state_->mesh;
   const Vector3d w = view.towardsViewer(point.at);
-  const Vector3d flat = crossOf(*state_->mesh, point.triangle).stableNormalized();
-  if (normal.dot(flat) < kCreasedCosine && flat.dot(w) > 0.0) normal = flat;
-  const double facing = normal.dot(w);
-  const bool fold = point.interpolated && facing > kFacingAway;
-  // What faces away but is no fold lies on the back of a sheet: the viewer's side is the other one.
-  const bool otherSide = fold ? false : facing < 0.0;
-  const Vector3d origin = point.at + (otherSide ? -offset : offset) * normal;
-  const Vector3d direction = view.towardsViewer(origin);
   Context context{};
-  context.mesh = state_->mesh;
+  context.mesh = &mesh;
   context.own = point.triangle;
+  context.other = point.other;
   context.touchingNeighbour = kTouchingNeighbour;
-  context.foldReach =
-      fold ? static_cast<float>(2.0 * std::sqrt(crossOf(*state_->mesh, point.triangle).norm()))
-           : 0.0f;
+  Vector3d origin;
+  if (point.other != TriangleMesh::kNone) {
+    origin = outsideBoth(mesh, point, w, offset);
+  } else {
+    Vector3d normal = normalAt(point);
+    const Vector3d cross = crossOf(mesh, point.triangle), flat = cross.stableNormalized();
+    if (normal.dot(flat) < kCreasedCosine && flat.dot(w) > 0.0) normal = flat;
+    const double facing = normal.dot(w);
+    const bool fold = point.interpolated && facing > kFacingAway;
+    // What faces away but is no fold lies on the back of a sheet: the viewer's side is the other.
+    const bool otherSide = !fold && facing < 0.0;
+    origin = point.at + (otherSide ? -offset : offset) * normal;
+    if (fold) context.foldReach = static_cast<float>(2.0 * std::sqrt(cross.norm()));
+  }
   const auto far =
       static_cast<float>(view.distanceTo(origin).value_or(std::numeric_limits<double>::infinity()));
-  if (!state_->hits(origin, direction, kTouching, far, context)) return false;
-  if (!point.onEdge) return true;
-  // Seen past a triangle that faces away, the inside of what it bounds lies in front of the edge.
-  const std::optional<std::uint32_t> beyond = triangleBeyond(*state_->mesh, point);
-  return !beyond || hidden({point.at, *beyond, point.interpolated}, view, offset);
+  return state_->hits(origin, view.towardsViewer(origin), kTouching, far, context);
 }
 
 bool Sight::empty(const SightPoint& point, const Vector3d& beside, const SurfaceView& view) const {
@@ -236,6 +234,7 @@ bool Sight::empty(const SightPoint& point, const Vector3d& beside, const Surface
   Context context{};
   context.mesh = state_->mesh;
   context.own = point.triangle;
+  context.other = point.other;
   context.foldReach = std::numeric_limits<float>::infinity();
   return !state_->hits(origin, direction, 0.0f, std::numeric_limits<float>::infinity(), context);
 }

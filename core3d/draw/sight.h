@@ -18,21 +18,22 @@ struct SightPoint {
   /// The line was found by interpolation and lies on the smooth surface that the mesh stands for:
   /// where that surface does not turn away, neighbouring triangles do not hide the point.
   bool interpolated;
-  /// It lies on an edge of the triangle, and is seen if it is seen from either side of that edge.
-  bool onEdge = false;
+  /// The second triangle that it lies in, if any: beyond an edge that it lies on, or of the sheet
+  /// that crosses the first one there. It is looked at from the viewer's side of both.
+  std::uint32_t other = TriangleMesh::kNone;
 };
 
 /// Answers what a mesh hides, by casting rays (wald2014, Embree). A line lies on the very surface
 /// that may hide it, so a hit does not count
-/// - on the triangle that the point lies in,
+/// - on a triangle that the point lies in,
 /// - within a hundredth of a per cent of the mesh's size, or a tenth of a per cent on a triangle
-///   that has a vertex in common with its own;
+///   that has a vertex in common with one of its own;
 /// - if the line is interpolated and the smooth normal there does not face away: on a triangle of
 ///   the same fold, one or two steps over common vertices away, each bent by less than 70 degrees,
 ///   and within about twice the triangle's size. A contour lies between front and back, and the
 ///   facets beside it stick out over the smooth outline.
-/// Besides, the ray starts a little off the surface, `offset` along its normal, on the viewer's
-/// side.
+/// Besides, the ray starts a little off the surface, on the viewer's side: by `offset` along its
+/// normal, or so far from both sheets, but no farther than four times as much.
 ///
 /// The structure for rays is built once, 0.5 to 1 microseconds a triangle. `mesh` and `fields` must
 /// outlive it. Asking is const and may be done by several threads, each with a FlushDenormals.

@@ -331,7 +331,8 @@ void appendSegments(const ScreenChain& line, const StrokePart& part, std::uint64
   std::size_t i = places.firstAfter(part.from);
   const auto add = [&](const LineEnd& next) {
     const std::size_t piece = (i - 1) % chain.triangles.size();
-    segments.push_back({before, next, chain.triangles[piece], chain.level});
+    segments.push_back(
+        {before, next, chain.triangles[piece], chain.level, true, chain.otherOf(piece)});
     before = next;
   };
   for (; i < places.count() && places.place(i) < part.to; ++i) {

@@ -87,7 +87,10 @@ void addParts(const TriangleMesh& mesh, const TwoSides& sides, float strength, c
   for (int i = 0; i <= count; ++i) {
     const LineEnd end = i < count ? LineEnd{from + stops[i].t * way, strength, stops[i].node}
                                   : LineEnd{mesh.position(b), strength, vertexNode(b)};
-    if (wanted(here, there)) out.push_back({begin, end, here ? h / 3 : other / 3});
+    if (wanted(here, there)) {
+      out.push_back({begin, end, here ? h / 3 : other / 3});
+      if (here && there) out.back().other = other / 3;
+    }
     if (i < count) (stops[i].ofHere ? here : there) ^= true;
     begin = end;
   }

@@ -14,7 +14,10 @@ LineSegment edgeOf(const TriangleMesh& mesh, std::uint32_t halfEdge, float stren
                       b = mesh.vertexOf(TriangleMesh::nextCorner(halfEdge));
   return {{mesh.position(a), strength, vertexNode(a)},
           {mesh.position(b), strength, vertexNode(b)},
-          halfEdge / 3};
+          halfEdge / 3,
+          0,
+          true,
+          mesh.hasOpposite(halfEdge) ? mesh.opposite[halfEdge] / 3 : TriangleMesh::kNone};
 }
 
 Eigen::Vector3d areaVector(const TriangleMesh& mesh, std::uint32_t triangle) {

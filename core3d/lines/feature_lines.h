@@ -35,6 +35,9 @@ struct LineSegment {
   std::uint32_t triangle;   ///< it lies in
   std::uint32_t level = 0;  ///< of isophotes and topographic lines, from 0
   bool standsOut = true;    ///< see LineOptions::flatToo
+  /// The second triangle that it lies in, if it runs along an edge that is no border or where two
+  /// sheets cross. kNone: it lies in one alone, or was interpolated between two sides of an edge.
+  std::uint32_t other = TriangleMesh::kNone;
 };
 
 /// How the derivative of lambda along t_A is found.

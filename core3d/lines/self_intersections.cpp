@@ -228,7 +228,7 @@ Segments findSelfIntersections(const TriangleMesh& mesh) {
       if (const auto end = pierced(mesh, 3 * u + k, t)) ends[count++] = *end;
     }
     // Two that are not in one plane meet in one piece or not at all.
-    if (count == 2) out.push_back({ends[0], ends[1], t});
+    if (count == 2) out.push_back({ends[0], ends[1], t, 0, true, u});
   });
   removeTouchingPoints(out);
   return out;

@@ -410,7 +410,10 @@ TEST(Sight, BackEdgesOfABoxAreHidden) {
     found.of(LineFamily::Creases)
         .push_back({{mesh.position(a), 90.0f, vertexNode(a)},
                     {mesh.position(b), 90.0f, vertexNode(b)},
-                    h / 3});
+                    h / 3,
+                    0,
+                    true,
+                    mesh.opposite[h] / 3});
   }
   Random random(announcedSeed("BackEdgesOfABoxAreHidden", 7));
   const SurfaceFields none;
