@@ -15,14 +15,16 @@ namespace flatland::ui {
 SurfaceSource::SurfaceSource(Document& document, QObject* parent)
     : QObject(parent), document_(document) {
   connect(&document_, &Document::changed, this, &SurfaceSource::follow);
-  connect(&job_, &Job::failed, this, [this](const QString& reason) {
-    const bool wasReading = std::exchange(reading_, false);
-    emit failed(reason);
-    // What was to be replaced may have been without its fields yet.
-    if (wasReading && surface_ && !surface_->fields) estimate();
+  for (const Job* job : {&opening_, &fields_}) {
+    connect(job, &Job::failed, this, &SurfaceSource::failed);
+    connect(job, &Job::runningChanged, this, &SurfaceSource::tellBusy);
+  }
+  connect(&opening_, &Job::failed, this, [this] {
+    if (opensNew_) readAgain();
   });
-  connect(&job_, &Job::progressed, this, &SurfaceSource::progressed);
-  connect(&job_, &Job::runningChanged, this, &SurfaceSource::tellBusy);
+  connect(&fields_, &Job::progressed, this, [this](double share) {
+    if (!isReading()) emit progressed(share);
+  });
   connect(&sweep_, &SweepWork::longChanged, this, &SurfaceSource::tellBusy);
   connect(&sweep_, &SweepWork::progressed, this, &SurfaceSource::progressed);
   connect(&sweep_, &SweepWork::failed, this, &SurfaceSource::failed);
@@ -31,8 +33,9 @@ SurfaceSource::SurfaceSource(Document& document, QObject* parent)
 }
 
 void SurfaceSource::tellBusy() {
-  if (isBusy() == toldBusy_) return;
+  if (isBusy() == toldBusy_ && isReading() == toldReading_) return;
   toldBusy_ = isBusy();
+  toldReading_ = isReading();
   emit busyChanged(toldBusy_);
 }
 
@@ -44,12 +47,47 @@ void SurfaceSource::setActive(bool active) {
 void SurfaceSource::open(const QString& reference) { start(reference.toStdString(), true); }
 
 void SurfaceSource::cancel() {
-  reading_ = false;
-  job_.cancel();
+  givenUp_ = true;
+  if (opening_.isRunning()) return opening_.cancel();
+  fields_.cancel();
   sweep_.cancel();
 }
 
+void SurfaceSource::drop() {
+  givenUp_ = false;
+  scale_.reset();
+  opening_.cancel();
+  fields_.cancel();
+  sweep_.cancel();
+}
+
+bool SurfaceSource::isGivenUp() const {
+  const std::optional<SurfaceSetting>& setting = document_.scene().surface;
+  if (!givenUp_ || isBusy() || !setting) return false;
+  if (isSwept(document_.scene())) return isPreview();
+  return !surface_ || !surface_->fields || surface_->fitScale != setting->fitScale;
+}
+
+void SurfaceSource::goOn() {
+  if (!isGivenUp()) return;
+  sweep_.setWish(std::nullopt);
+  scale_.reset();
+  readAgain();
+}
+
+void SurfaceSource::readAgain() {
+  // What is shown, or swept, needs no reading.
+  if (!surface_ && !isSwept(document_.scene())) wanted_.clear();
+  update();
+}
+
 void SurfaceSource::follow(const Change& change) {
+  // What was to be put into a scene that is gone is not wanted in the next one.
+  if (change.what == Change::What::Scene && (givenUp_ || (opensNew_ && isReading()))) {
+    opening_.cancel();
+    scale_.reset();
+    return readAgain();
+  }
   // What is swept goes by the curve, and its outside by the view.
   const bool turns = change.touchesScene() || change.what == Change::What::Camera;
   if (change.touchesSurface() || (turns && isSwept(document_.scene()))) update();
@@ -63,23 +101,23 @@ void SurfaceSource::update() {
   }
   sweep_.setWish(std::nullopt);
   if (!setting) {
-    if (!surface_ && !reading_) return;
-    cancel();
+    if (!surface_ && !isReading()) return;
+    drop();
     wanted_.clear();
     surface_ = nullptr;
     emit changed();
   } else if (active_) {
     if (setting->mesh != wanted_) {
       start(setting->mesh, false);
-    } else if (surface_ && surface_->fields && surface_->fitScale != setting->fitScale) {
-      estimate();
+    } else {
+      wantFields();
     }
   }
 }
 
 void SurfaceSource::updateSwept() {
   if (wanted_ != kSweptMesh) {
-    cancel();
+    drop();
     wanted_ = kSweptMesh;
   }
   const std::optional<SweptSurface> surface = sweptOf(document_.scene());
@@ -107,33 +145,37 @@ void SurfaceSource::start(const std::string& reference, bool isNew) {
     wanted_ = reference;
     // Another surface than the scene's is not shown, not even for a while.
     if (surface_ && surface_->reference != reference) {
+      fields_.cancel();
+      scale_.reset();
       surface_ = nullptr;
       emit changed();
     }
   }
-  reading_ = true;
-  const double fitScale = document_.scene().surface ? document_.scene().surface->fitScale : 1.0;
+  opensNew_ = isNew;
+  givenUp_ = false;
   using Data = std::shared_ptr<const LoadedSurface>;
-  job_.start<Data>(
-      [this, reference, fitScale, isNew](const JobControl& control) -> std::optional<Data> {
-        const auto mesh = std::make_shared<const LoadedSurface>(loadSurface(reference));
-        if (control.isCancelled()) return std::nullopt;
-        control.deliver([this, mesh, isNew] { show(mesh, isNew); });
-        Data whole = withFields(*mesh, fitScale, [&control](double share) {
-          control.setProgress(share);
-          return !control.isCancelled();
-        });
-        if (!whole) return std::nullopt;
-        return whole;
+  opening_.start<Data>(
+      [reference](const JobControl&) {
+        return std::optional<Data>(std::make_shared<const LoadedSurface>(loadSurface(reference)));
       },
-      [this](const Data& whole) { show(whole, false); });
+      [this, isNew](const Data& mesh) {
+        fields_.cancel();
+        scale_.reset();
+        show(mesh, isNew);
+        wantFields();
+      });
 }
 
-void SurfaceSource::estimate() {
+void SurfaceSource::wantFields() {
+  const std::optional<SurfaceSetting>& setting = document_.scene().surface;
+  if (!surface_ || surface_->swept || !setting || scale_ == setting->fitScale) return;
+  scale_ = setting->fitScale;
+  givenUp_ = false;
+  // Back to what is there.
+  if (surface_->fields && surface_->fitScale == *scale_) return fields_.cancel();
   using Data = std::shared_ptr<const LoadedSurface>;
-  job_.start<Data>(
-      [mesh = surface_, scale = document_.scene().surface->fitScale](
-          const JobControl& control) -> std::optional<Data> {
+  fields_.start<Data>(
+      [mesh = surface_, scale = *scale_](const JobControl& control) -> std::optional<Data> {
         Data whole = withFields(*mesh, scale, [&control](double share) {
           control.setProgress(share);
           return !control.isCancelled();
@@ -145,7 +187,7 @@ void SurfaceSource::estimate() {
 }
 
 void SurfaceSource::show(const std::shared_ptr<const LoadedSurface>& surface, bool isNew) {
-  reading_ = false;
+  givenUp_ = false;
   surface_ = surface;
   wanted_ = surface->reference;
   if (isNew) {

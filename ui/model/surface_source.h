@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 
 #include "ui/jobs/job.h"
 #include "ui/model/document.h"
@@ -26,16 +27,24 @@ class SurfaceSource : public QObject {
 
   /// Reads a mesh file, or makes a solid ("solid:torus"), and puts it beside the curves: one undo
   /// step, done when it has been read. If it cannot be read, failed() tells why and nothing
-  /// changes. A surface that is there lends its families and style to the next one.
+  /// changes, and nothing comes of it if another scene is opened meanwhile. A surface that is there
+  /// lends its families and style to the next one.
   void open(const QString& reference);
 
-  /// Gives up reading, or estimating: what there was before stays.
+  /// Gives up reading, or else estimating: what there was before stays. That is not begun again
+  /// before something else is asked for (another mesh, another scale), or goOn().
   void cancel();
-  bool isBusy() const { return job_.isRunning() || sweep_.isLong(); }
+  /// What was given up is still wanting: there is no mesh, none with fields of the scale asked for,
+  /// or a preview.
+  bool isGivenUp() const;
+  /// Begins again what was given up.
+  void goOn();
+
+  bool isBusy() const { return opening_.isRunning() || fields_.isRunning() || sweep_.isLong(); }
   /// True while surface() is not yet what the document says.
-  bool isStale() const { return job_.isRunning() || sweep_.isStale(); }
+  bool isStale() const { return opening_.isRunning() || fields_.isRunning() || sweep_.isStale(); }
   /// True while the mesh is still being read, and not only its fields.
-  bool isReading() const { return reading_; }
+  bool isReading() const { return opening_.isRunning(); }
   /// True if surface() is a coarse mesh of a swept surface, shown until the one asked for is made.
   bool isPreview() const;
 
@@ -43,7 +52,7 @@ class SurfaceSource : public QObject {
 
  signals:
   void changed();
-  void busyChanged(bool busy);
+  void busyChanged(bool busy);    ///< or it is busy with something else
   void progressed(double share);  ///< of the fields, in [0, 1]
   void opened(const QString& name);
   void failed(const QString& reason);
@@ -54,17 +63,22 @@ class SurfaceSource : public QObject {
   void updateSwept();
   void tellBusy();
   void start(const std::string& reference, bool isNew);
-  void estimate();
+  void drop();
+  void readAgain();
+  void wantFields();
   void show(const std::shared_ptr<const LoadedSurface>& surface, bool isNew);
 
   Document& document_;
-  Job job_;
+  Job opening_;  ///< reads a mesh
+  Job fields_;   ///< estimates those of surface_, also while another mesh is read
   SweepWork sweep_;
   std::shared_ptr<const LoadedSurface> surface_;
-  std::string wanted_;  ///< reference of the last start; of one that failed too
+  std::string wanted_;           ///< reference of the last start; of one that failed too
+  std::optional<double> scale_;  ///< of the last estimate for surface_, done or not
   bool active_ = false;
-  bool reading_ = false;
-  bool toldBusy_ = false;
+  bool opensNew_ = false;  ///< opening_ reads what is not in the scene yet
+  bool givenUp_ = false;   ///< since then nothing was begun
+  bool toldBusy_ = false, toldReading_ = false;
 };
 
 }  // namespace flatland::ui

@@ -46,7 +46,7 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
   connect(&models_.source, &SurfaceSource::changed, this, &SurfaceArea::showState);
   connect(&models_.source, &SurfaceSource::busyChanged, this, &SurfaceArea::showState);
   connect(&models_.source, &SurfaceSource::progressed, this,
-          [this](double share) { bar_->setValue(qRound(100.0 * share)); });
+          [this](double share) { setBar(100, qRound(100.0 * share)); });
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (!change.touchesSurface()) return;
     if (shown_) makePanes();
@@ -62,16 +62,24 @@ QWidget* SurfaceArea::makeProgress() {
   bar_ = new QProgressBar(row);
   bar_->setObjectName("surface.progress.bar");
   bar_->setAccessibleName(tr("Progress"));
-  auto* cancel = new QToolButton(row);
-  cancel->setObjectName("surface.cancel");
-  cancel->setText(tr("Cancel"));
-  cancel->setToolTip(tr("Give up reading; what was there before stays"));
-  connect(cancel, &QToolButton::clicked, this, [this] { models_.source.cancel(); });
+  cancel_ = new QToolButton(row);
+  cancel_->setObjectName("surface.cancel");
+  cancel_->setText(tr("Cancel"));
+  connect(cancel_, &QToolButton::clicked, this, [this] {
+    models_.source.cancel();
+    showState();
+  });
+  goOn_ = new QToolButton(row);
+  goOn_->setObjectName("surface.go-on");
+  goOn_->setText(tr("Go On"));
+  goOn_->setToolTip(tr("Begin again what was given up"));
+  connect(goOn_, &QToolButton::clicked, this, [this] { models_.source.goOn(); });
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->addWidget(doing_);
   layout->addWidget(bar_, 1);
-  layout->addWidget(cancel);
+  layout->addWidget(cancel_);
+  layout->addWidget(goOn_);
   return row;
 }
 
@@ -140,15 +148,46 @@ void SurfaceArea::spinOnly(const PaneWidget& pane, bool spins) {
   emit spinningChanged(spins);
 }
 
+QString SurfaceArea::whatIsWanting() const {
+  const auto& surface = models_.source.surface();
+  if (!surface) return tr("The mesh was not read");
+  if (!surface->fields) return tr("No lines: curvature was not estimated");
+  if (surface->swept) return tr("A coarse mesh: the fine one was not made");
+  return tr("The lines are those of the smoothness before");
+}
+
+void SurfaceArea::setBar(int maximum, int value) {
+  // A bar of Qt paints at once, and the window with it: the document may be in the middle of a
+  // change that not everything to be painted knows of yet.
+  bar_->setUpdatesEnabled(false);
+  bar_->setRange(0, maximum);
+  bar_->setValue(value);
+  bar_->setUpdatesEnabled(true);
+}
+
 void SurfaceArea::showState() {
   const bool there = !panes_.empty() && models_.source.surface();
   pages_->setCurrentWidget(there ? views_ : empty_);
-  progress_->setVisible(models_.source.isBusy());
-  if (models_.source.isBusy()) {
+  const bool busy = models_.source.isBusy();
+  const bool givenUp = models_.source.isGivenUp();
+  progress_->setVisible(busy || givenUp);
+  const bool begins = busy && bar_->isHidden();
+  bar_->setVisible(busy);
+  cancel_->setVisible(busy);
+  goOn_->setVisible(givenUp);
+  if (givenUp) doing_->setText(whatIsWanting());
+  if (busy) {
     const bool reading = models_.source.isReading();
     doing_->setText(reading ? tr("Reading the mesh") : tr("Estimating curvature"));
-    bar_->setRange(0, reading ? 0 : 100);  // how long reading takes is not known
-    if (!reading) bar_->setValue(0);
+    cancel_->setToolTip(reading ? tr("Give up reading; what was there before stays")
+                                : tr("Give up estimating; lines that were there before stay, a new "
+                                     "mesh has none. Go On begins again."));
+    // How long reading takes is not known.
+    if (reading) {
+      setBar(0, 0);
+    } else if (bar_->maximum() == 0 || begins) {
+      setBar(100, 0);
+    }
   }
   const auto& setting = models_.document.scene().surface;
   empty_->setText(

@@ -50,6 +50,8 @@ class SurfaceArea : public QWidget {
   void addPane();
   void spinOnly(const PaneWidget& pane, bool spins);
   void showState();
+  QString whatIsWanting() const;
+  void setBar(int maximum, int value);
 
   SurfaceModels models_;
   QStackedWidget* pages_;
@@ -57,6 +59,8 @@ class SurfaceArea : public QWidget {
   QWidget* progress_;
   QLabel* doing_ = nullptr;
   QProgressBar* bar_ = nullptr;
+  QToolButton* cancel_ = nullptr;
+  QToolButton* goOn_ = nullptr;
   QWidget* views_;
   QGridLayout* grid_;
   std::vector<PaneWidget*> panes_;  ///< owned by views_
