@@ -81,6 +81,16 @@ class SurfaceTest : public QObject {
     QVERIFY(hasPicture(surface().grab().toImage()));
   }
 
+  /// A window that is made anew is gone for a moment, and may come back elsewhere.
+  void theWindowStaysTheSameWithItsFirstSurface() {
+    const WId before = driver_->window().winId();
+    EventCounter hidden(driver_->window(), QEvent::Hide);
+    driver_->trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    QCOMPARE(driver_->window().winId(), before);
+    QCOMPARE(hidden.count(), 0);
+  }
+
   void projectorAndPictureLayoutShowTheSurface() {
     WindowDriver& d = *driver_;
     d.canvasKey(Qt::Key_F11);

@@ -3834,6 +3834,10 @@
         <source>OpenGL: %1</source>
         <translation>OpenGL: %1</translation>
     </message>
+    <message>
+        <source>The surface cannot be drawn by OpenGL any more.</source>
+        <translation>Die Fläche kann nicht mehr mit OpenGL gezeichnet werden.</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::GlyphDialog</name>

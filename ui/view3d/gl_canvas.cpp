@@ -2,11 +2,11 @@
 #include "ui/view3d/gl_canvas.h"
 
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QGuiApplication>
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
+#include <QPainter>
 
 #include "ui/view3d/gl_painter.h"
 
@@ -39,8 +39,6 @@ QSurfaceFormat wantedFormat() {
   QSurfaceFormat format = QSurfaceFormat::defaultFormat();
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setSamples(kSamples);
   return format;
 }
 
@@ -71,73 +69,106 @@ const OpenGl& openGl() {
 bool GlCanvas::possible() { return openGl().possible; }
 
 GlCanvas::GlCanvas(const SurfaceModels& models, QWidget* parent)
-    : QOpenGLWidget(parent), models_(models) {
-  QSurfaceFormat format = wantedFormat();
-  if (openGl().software) format.setSamples(0);
-  setFormat(format);
+    : QWidget(parent), models_(models) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
-  connect(&rest_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
-  const auto repaint = qOverload<>(&QWidget::update);
+  connect(&rest_, &QTimer::timeout, this, &GlCanvas::renew);
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (change.what == Change::What::Camera && openGl().software) rest_.start();
-    if (change.touchesSurface() || change.what == Change::What::Camera) update();
+    if (change.touchesSurface() || change.what == Change::What::Camera) renew();
   });
   // A swept curve or a plane that is dragged moves the picture as the camera does.
   const auto moved = [this] {
     if (openGl().software) rest_.start();
-    update();
+    renew();
   };
   connect(&models_.source, &SurfaceSource::changed, this, moved);
-  connect(&models_.seen, &SeenSource::changed, this, repaint);
-  connect(&models_.bridges.source, &BridgeSource::changed, this, repaint);
+  connect(&models_.seen, &SeenSource::changed, this, &GlCanvas::renew);
+  connect(&models_.bridges.source, &BridgeSource::changed, this, &GlCanvas::renew);
   connect(&models_.bridges.section, &SectionSource::changed, this, moved);
-  connect(&models_.display, &Display::changed, this, repaint);
+  connect(&models_.display, &Display::changed, this, &GlCanvas::renew);
 }
 
-GlCanvas::~GlCanvas() { release(); }
-
-void GlCanvas::release() {
-  if (!painter_) return;
-  makeCurrent();
+GlCanvas::~GlCanvas() {
+  if (!painter_ || !context_.makeCurrent(&surface_)) return;
   fine_.reset();
+  plain_.reset();
   painter_.reset();
-  doneCurrent();
+  context_.doneCurrent();
 }
 
-void GlCanvas::initializeGL() {
-  // The context goes when the widget gets another window.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::release,
-          Qt::UniqueConnection);
-  painter_ = std::make_unique<GlPainter>();
-  if (!painter_->fault().isEmpty()) emit failed(tr("OpenGL: %1").arg(painter_->fault()));
+void GlCanvas::renew() {
+  stale_ = true;
+  update();
 }
 
-void GlCanvas::paintSmoothly(const SurfacePicture& picture, const QSize& pixels, double ratio) {
-  const QSize larger = kFiner * pixels;
-  if (!fine_ || fine_->size() != larger) {
-    fine_ = std::make_unique<QOpenGLFramebufferObject>(larger, QOpenGLFramebufferObject::Depth);
+void GlCanvas::begin() {
+  context_.setFormat(wantedFormat());
+  if (!context_.create()) return;
+  surface_.setFormat(context_.format());
+  surface_.create();
+}
+
+void GlCanvas::draw(const QSize& pixels) {
+  stale_ = false;
+  if (!context_.isValid()) begin();
+  if (!context_.isValid() || !context_.makeCurrent(&surface_)) {
+    emit failed(tr("The surface cannot be drawn by OpenGL any more."));
+    return;
   }
-  if (!fine_->bind()) return painter_->paint(picture, pixels, ratio);
-  painter_->paint(picture, larger, kFiner * ratio);
-  fine_->release();
-  // Half as large: each pixel becomes the mean of four.
-  QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRect({}, pixels), fine_.get(),
-                                            QRect({}, larger), GL_COLOR_BUFFER_BIT, GL_LINEAR);
-}
-
-void GlCanvas::paintGL() {
-  QElapsedTimer timer;
-  timer.start();
+  if (!painter_) {
+    painter_ = std::make_unique<GlPainter>();
+    if (!painter_->fault().isEmpty()) emit failed(tr("OpenGL: %1").arg(painter_->fault()));
+  }
   const double ratio = devicePixelRatioF();
-  if (openGl().software && !rest_.isActive()) {
-    paintSmoothly(pictureOf(models_), size() * ratio, ratio);
-  } else {
-    painter_->paint(pictureOf(models_), size() * ratio, ratio);
+  const bool software = openGl().software;
+  if (!plain_ || plain_->size() != pixels) {
+    plain_ = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::Depth);
+    fine_.reset();
   }
-  // The time is that of the picture, not of handing over the commands.
-  context()->functions()->glFinish();
-  emit painted(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+  const int factor = software ? kFiner : 1;
+  if (!fine_ && !(software && rest_.isActive())) {
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::Depth);
+    format.setSamples(software ? 0 : kSamples);
+    fine_ = std::make_unique<QOpenGLFramebufferObject>(factor * pixels, format);
+  }
+  const bool smooth = !(software && rest_.isActive()) && fine_->isValid();
+  (smooth ? fine_ : plain_)->bind();
+  const int scale = smooth ? factor : 1;
+  painter_->paint(pictureOf(models_), scale * pixels, scale * ratio);
+  // Where it is larger, each pixel becomes the mean of four.
+  if (smooth) {
+    QOpenGLFramebufferObject::blitFramebuffer(plain_.get(), QRect({}, pixels), fine_.get(),
+                                              QRect({}, factor * pixels), GL_COLOR_BUFFER_BIT,
+                                              factor > 1 ? GL_LINEAR : GL_NEAREST);
+  }
+  image_ = plain_->toImage();
+  plain_->release();
+  context_.doneCurrent();
+  // Nothing of it is transparent; said so, it is copied to the window as it is.
+  if (image_.format() == QImage::Format_ARGB32_Premultiplied) {
+    image_.reinterpretAsFormat(QImage::Format_RGB32);
+  }
+}
+
+void GlCanvas::paintEvent(QPaintEvent*) {
+  const QSize pixels = size() * devicePixelRatioF();
+  if (!pixels.isEmpty() && (stale_ || image_.size() != pixels)) {
+    QElapsedTimer timer;
+    timer.start();
+    draw(pixels);
+    emit painted(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+  }
+  QPainter painter(this);
+  if (image_.isNull()) return painter.fillRect(rect(), palette().base());
+  painter.drawImage(QRectF(rect()), image_);
+}
+
+void GlCanvas::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) renew();
+  QWidget::changeEvent(event);
 }
 
 }  // namespace flatland::ui

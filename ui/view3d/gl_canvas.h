@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QImage>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
 #include <QTimer>
+#include <QWidget>
 #include <memory>
 
 #include "ui/view3d/surface_models.h"
@@ -12,12 +15,12 @@ class QOpenGLFramebufferObject;
 namespace flatland::ui {
 
 class GlPainter;
-struct SurfacePicture;
 
-/// The surface drawn by OpenGL. Only where possible() says so: Qt's offscreen platform ends the
-/// process when such a widget is shown. Where the processor does the work of a card, edges are
-/// smoothed when the camera rests, and not while it moves.
-class GlCanvas : public QOpenGLWidget {
+/// The surface drawn by OpenGL into an image, which is shown as any picture is. A QOpenGLWidget
+/// would make Qt create the window anew when the first surface comes, and compose every later
+/// repaint of the window by OpenGL, which takes four times as long where the processor does the
+/// work of a card. There, too, edges are smoothed when the camera rests, and not while it moves.
+class GlCanvas : public QWidget {
   Q_OBJECT
 
  public:
@@ -32,17 +35,25 @@ class GlCanvas : public QOpenGLWidget {
   void failed(const QString& reason);
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
-  void release();
-  void paintSmoothly(const SurfacePicture& picture, const QSize& pixels, double ratio);
+  using Buffer = std::unique_ptr<QOpenGLFramebufferObject>;
+
+  void renew();
+  void begin();
+  void draw(const QSize& pixels);
 
   SurfaceModels models_;
+  QOffscreenSurface surface_;
+  QOpenGLContext context_;
   std::unique_ptr<GlPainter> painter_;
-  std::unique_ptr<QOpenGLFramebufferObject> fine_;  ///< kFiner times as large as the canvas
-  QTimer rest_;                                     ///< runs while the camera moves
+  Buffer fine_;   ///< several samples for each pixel of the canvas
+  Buffer plain_;  ///< one for each
+  QImage image_;
+  bool stale_ = true;  ///< the image shows what was
+  QTimer rest_;        ///< runs while the camera moves
 };
 
 }  // namespace flatland::ui

@@ -84,7 +84,7 @@ QWidget* SurfaceArea::makeProgress() {
 }
 
 void SurfaceArea::showEvent(QShowEvent* event) {
-  // A first widget of OpenGL makes Qt create the window anew, which it must not while it is shown.
+  // Not in the middle of a layout.
   if (!shown_) {
     QMetaObject::invokeMethod(
         this,
