@@ -2,63 +2,11 @@
 // Occluding contours: n.w = 0 for the interpolated normal (bibliography: hertzmann2000), and where
 // the surface is creased the edges between what is turned to the viewer and what is not.
 #include <array>
-#include <cmath>
 
-#include "core3d/lines/families.h"
+#include "core3d/lines/split_facing.h"
 
 namespace flatland {
 namespace {
-
-// A flat face seen edge-on counts as turned away, all of it: its corners' normals differ by
-// roundings.
-constexpr float kEdgeOn = 1e-6f;
-
-// n.w at the corners of a split triangle. Where a vertex is whole the same number as everywhere.
-std::array<float, 3> facingOf(const SeenMesh& sight, const SplitTriangle& split) {
-  std::array<float, 3> facing{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t v = sight.mesh.triangles[split.triangle][k];
-    if (!split.own[k] && !(sight.seen.flags[v] & VertexFlag::kSkipped)) {
-      facing[k] = sight.seen.nw[v];
-      continue;
-    }
-    const Eigen::Vector3d w = sight.view.towardsViewer(sight.mesh.position(v).cast<double>());
-    const float nw = split.normal[k].dot(w.cast<float>());
-    facing[k] = split.own[k] && std::abs(nw) <= kEdgeOn ? 0.0f : nw;
-  }
-  return facing;
-}
-
-bool isKnown(const SplitTriangle& split) {
-  for (const auto& normal : split.normal) {
-    if (normal.isZero(0.0f)) return false;
-  }
-  return true;
-}
-
-// An edge of a split triangle with n.w on both sides of it.
-struct TwoSides {
-  std::uint32_t halfEdge;
-  float here[2], there[2];  // at the first and the second vertex of the half-edge
-
-  bool jumps() const { return here[0] != there[0] || here[1] != there[1]; }
-};
-
-// False if there is nothing on the other side, or nothing known.
-bool sidesOf(const SeenMesh& sight, const SharpEdges& sharp, std::uint32_t halfEdge,
-             TwoSides& sides) {
-  if (!sight.mesh.hasOpposite(halfEdge)) return false;
-  const std::uint32_t other = sight.mesh.opposite[halfEdge];
-  if (!sharp.splits(halfEdge / 3) || !sharp.splits(other / 3)) return false;
-  const SplitTriangle &a = sharp.at(halfEdge / 3), &b = sharp.at(other / 3);
-  if (!isKnown(a) || !isKnown(b)) return false;
-  const auto facing = facingOf(sight, a), beyond = facingOf(sight, b);
-  const auto next = [](std::uint32_t h) { return TriangleMesh::nextCorner(h) % 3; };
-  sides = {halfEdge,
-           {facing[halfEdge % 3], facing[next(halfEdge)]},
-           {beyond[next(other)], beyond[other % 3]}};
-  return true;
-}
 
 // Adds the parts of an edge on which `wanted(front here, front there)`. They end at its vertices or
 // where n.w of one side is zero, in the node in which a contour inside that side's triangle ends.
@@ -113,13 +61,8 @@ void addSplitContours(const SeenMesh& sight, const SharpEdges& sharp, Segments& 
     const std::array<float, 3> facing = facingOf(sight, split);
     LineEnd ends[2];
     const Crossings found = zeroCrossings({facing[0], facing[1], facing[2]});
-    for (int i = 0; i < found.count; ++i) {
-      const EdgePoint& point = found.points[i];
-      ends[i] = endAt(sight.mesh, split.triangle, point, 1.0f);
-      const std::uint32_t h = 3 * split.triangle + static_cast<std::uint32_t>(point.corner);
-      TwoSides sides;
-      if (sidesOf(sight, sharp, h, sides) && sides.jumps()) ends[i].node = sideNode(h);
-    }
+    for (int i = 0; i < found.count; ++i)
+      ends[i] = endOnSide(sight, sharp, split.triangle, found.points[i]);
     if (found.count == 2) out.push_back({ends[0], ends[1], split.triangle});
   }
   for (const SharpEdge& edge : sharp.edges()) {

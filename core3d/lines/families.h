@@ -41,6 +41,8 @@ constexpr float kSharpStrength = 100.0f;
 /// Contours of all split triangles, and of the sharp edges between them where one side is turned to
 /// the viewer and the other is not. With those of addContour they are closed wherever the mesh is.
 void addSplitContours(const SeenMesh& sight, const SharpEdges& sharp, Segments& out);
+/// Isophotes of all split triangles, each side of a sharp edge by its own normals.
+void addSplitIsophotes(const SeenMesh& sight, const SharpEdges& sharp, Segments& out);
 /// The sharp edges, as far as both sides are turned to the viewer.
 void addSeenEdges(const SeenMesh& sight, const SharpEdges& sharp, Segments& out);
 

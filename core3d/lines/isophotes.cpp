@@ -1,27 +1,52 @@
 // SPDX-License-Identifier: MIT
-// Isophotes: n.w equal to one of the levels (i + 1) / (levels + 1), i from 0.
+// Isophotes: n.w equal to one of the levels (i + 1) / (levels + 1), i from 0. Where the surface is
+// creased, of the normals of each side.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "core3d/lines/families.h"
+#include "core3d/lines/split_facing.h"
 
 namespace flatland {
+namespace {
 
-void addIsophotes(const SeenMesh& sight, std::uint32_t triangle, Segments& out) {
-  const auto& v = sight.mesh.triangles[triangle];
-  const int levels = std::max(sight.options.isophoteLevels, 1);
+// Calls add(level, crossings) for each level between the corners' n.w.
+template <typename Add>
+void forLevels(const std::array<float, 3>& nw, int levels, const Add& add) {
+  levels = std::max(levels, 1);
   const auto steps = static_cast<float>(levels + 1);
-  const float nw[3] = {sight.seen.nw[v[0]], sight.seen.nw[v[1]], sight.seen.nw[v[2]]};
-  const float low = std::min({nw[0], nw[1], nw[2]}) * steps,
-              high = std::max({nw[0], nw[1], nw[2]}) * steps;
-  const int first = std::max(1, static_cast<int>(std::floor(low)));
-  const int last = std::min(levels, static_cast<int>(std::ceil(high)));
+  const auto [least, most] = std::minmax({nw[0], nw[1], nw[2]});
+  if (most - least <= kFlatFacing) return;
+  const int first = std::max(1, static_cast<int>(std::floor(least * steps)));
+  const int last = std::min(levels, static_cast<int>(std::ceil(most * steps)));
   for (int level = first; level <= last; ++level) {
     const float at = static_cast<float>(level) / steps;
     const Crossings found = zeroCrossings({nw[0] - at, nw[1] - at, nw[2] - at});
-    if (found.count == 2)
-      addPiece(sight.mesh, triangle, {found.points[0], found.points[1]}, {1.0f, 1.0f}, 0.0f,
-               nullptr, out, static_cast<std::uint32_t>(level - 1));
+    if (found.count == 2) add(static_cast<std::uint32_t>(level - 1), found);
+  }
+}
+
+}  // namespace
+
+void addIsophotes(const SeenMesh& sight, std::uint32_t triangle, Segments& out) {
+  const auto& v = sight.mesh.triangles[triangle];
+  const std::vector<float>& nw = sight.seen.nw;
+  forLevels({nw[v[0]], nw[v[1]], nw[v[2]]}, sight.options.isophoteLevels,
+            [&](std::uint32_t level, const Crossings& found) {
+              addPiece(sight.mesh, triangle, {found.points[0], found.points[1]}, {1.0f, 1.0f}, 0.0f,
+                       nullptr, out, level);
+            });
+}
+
+void addSplitIsophotes(const SeenMesh& sight, const SharpEdges& sharp, Segments& out) {
+  for (const SplitTriangle& split : sharp.triangles()) {
+    if (!isKnown(split)) continue;
+    forLevels(facingOf(sight, split), sight.options.isophoteLevels,
+              [&](std::uint32_t level, const Crossings& found) {
+                out.push_back({endOnSide(sight, sharp, split.triangle, found.points[0]),
+                               endOnSide(sight, sharp, split.triangle, found.points[1]),
+                               split.triangle, level});
+              });
   }
 }
 

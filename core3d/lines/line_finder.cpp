@@ -178,8 +178,10 @@ void LineFinder::State::walk(const SeenMesh& sight, FeatureLines& lines) {
   if (contours) addSplitContours(sight, sharp, *contours);
   for (std::uint32_t t = 0; t < count && isophotes; ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
-    if (flags[a] & flags[b] & flags[c] & kKnown) addIsophotes(sight, t, *isophotes);
+    if ((flags[a] & flags[b] & flags[c] & kKnown) && !sharp.splits(t))
+      addIsophotes(sight, t, *isophotes);
   }
+  if (isophotes) addSplitIsophotes(sight, sharp, *isophotes);
   for (std::uint32_t t = 0; t < count && principal; ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const std::uint8_t* const f = highlights.flags.data();

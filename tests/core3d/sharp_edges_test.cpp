@@ -25,7 +25,8 @@ using Eigen::Vector3d;
 constexpr double kPi = std::numbers::pi;
 
 // A box of n x n cells a side.
-TriangleMesh box(const Vector3d& half, int n) {
+TriangleMesh box(const Vector3d& half, int n,
+                 const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) {
   PolygonSoup soup;
   for (int side = 0; side < 6; ++side) {
     const int axis = side / 2;
@@ -37,7 +38,7 @@ TriangleMesh box(const Vector3d& half, int n) {
         p[axis] = sign;
         p[(axis + 1) % 3] = sign * (2.0 * i / n - 1.0);
         p[(axis + 2) % 3] = 2.0 * k / n - 1.0;
-        p = p.cwiseProduct(half);
+        p = turn * p.cwiseProduct(half);
         soup.addVertex(p.x(), p.y(), p.z());
       }
     }
@@ -249,6 +250,73 @@ TEST(SharpEdges, ContourOfACylinderWithLids) {
         } else {
           EXPECT_NEAR(std::abs(p.dot(across)), 1.0, 0.01);
         }
+      }
+    }
+  }
+}
+
+// n.w is the same all over a flat face, also where that is a level, up to roundings.
+TEST(SharpEdges, ABoxSeenFromAfarHasNoIsophotes) {
+  Random random(announcedSeed("ABoxSeenFromAfarHasNoIsophotes", 12));
+  for (const int cells : {1, 6}) {
+    const Eigen::Matrix3d turn =
+        Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+            .normalized()
+            .toRotationMatrix();
+    const TriangleMesh mesh = box({1.0, 0.7, 0.4}, cells, turn);
+    const SurfaceFields fields = estimateFields(mesh);
+    LineFinder finder(mesh, fields);
+    LineOptions options = only({LineFamily::Isophotes});
+    for (int trial = 0; trial < 30; ++trial) {
+      SurfaceView view;
+      view.towards = Vector3d(normal(random), normal(random), normal(random)).normalized();
+      if (trial % 3 == 0) {
+        view.towards = turn * Vector3d(0.6, 0.8, 0.0);
+        options.isophoteLevels = 4;
+      } else {
+        options.isophoteLevels = 10;
+      }
+      EXPECT_TRUE(finder.find(view, options).of(LineFamily::Isophotes).empty()) << cells;
+    }
+    // Near by the line of sight turns along a face.
+    EXPECT_FALSE(
+        finder.find({.towards = Vector3d::UnitZ(), .eye = turn * Vector3d(0.6, 0.5, 1.2)}, options)
+            .of(LineFamily::Isophotes)
+            .empty());
+  }
+}
+
+TEST(SharpEdges, IsophotesOfACylinderWithLidsAreStraightAndOnItsSide) {
+  Random random(announcedSeed("IsophotesOfACylinderWithLids", 13));
+  for (const auto& [around, up] : {std::pair(96, 12), std::pair(96, 1)}) {
+    const TriangleMesh mesh = can(around, up);
+    const SurfaceFields fields = estimateFields(mesh);
+    LineFinder finder(mesh, fields);
+    const LineOptions options = only({LineFamily::Isophotes});
+    const auto levelOf = [&options](std::uint32_t i) {
+      return (i + 1.0) / (options.isophoteLevels + 1.0);
+    };
+    for (int trial = 0; trial < 10; ++trial) {
+      const double turn = kPi * uniform(random, 0.0, 2.0), rise = uniform(random, -1.2, 1.2);
+      const Vector3d w(std::cos(turn) * std::cos(rise), std::sin(turn) * std::cos(rise),
+                       std::sin(rise));
+      const auto found = finder.find({.towards = w, .eye = {}}, options).of(LineFamily::Isophotes);
+      std::map<std::uint32_t, double> length;
+      for (const LineSegment& s : found) {
+        length[s.level] += lengthInFile(mesh, s);
+        const Vector3d p = middleInFile(mesh, s);
+        ASSERT_NEAR(p.head<2>().norm(), 1.0, 1e-3) << "on a lid";
+        // On the side n.w = cos(azimuth from the viewer's) cos(rise).
+        const double facing = p.head<2>().normalized().dot(w.head<2>());
+        EXPECT_NEAR(facing, levelOf(s.level), 1e-3);
+        // Straight: no piece goes round.
+        const Vector3d along = (s.b.at - s.a.at).cast<double>();
+        EXPECT_LT(along.head<2>().norm(), 2e-3);
+      }
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(options.isophoteLevels); ++i) {
+        const double most = std::cos(rise);
+        if (std::abs(levelOf(i) - most) < 0.005) continue;  // near where both lines are one
+        EXPECT_NEAR(length[i], levelOf(i) < most ? 4.0 : 0.0, 1e-2) << levelOf(i) << ", " << rise;
       }
     }
   }
