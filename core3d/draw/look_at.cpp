@@ -22,6 +22,9 @@ constexpr double kLeastOffset = 1e-5, kLargestOffset = 0.02;
 constexpr double kBesidePx = 1.5;
 // Beside a contour that is hidden by a facet of the very outline there is background at this one.
 constexpr double kCoveredPx = 4.0;
+// Lines of more px than that would cover the whole picture, and of messy files there are: those are
+// looked at less often, so many times in all.
+constexpr double kMostSamples = 3e5;
 // How densely gaps of outlines are looked for.
 constexpr double kGapStepPx = 0.5;
 
@@ -197,6 +200,9 @@ void closeOutlines(std::vector<SeenChain>& chains, const Projection& projection,
 
 std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Projection& projection,
                    const LineOptions& lines, const StrokeOptions& strokes) {
+  double length = 0.0;
+  for (const SeenChain& chain : chains) length += chain.line.length();
+  const double samplePx = std::max(1.0, length / kMostSamples);
   // Every chain is looked at by one thread, whichever is free.
   std::atomic<std::size_t> next = 0, rays = 0;
   const auto work = [&] {
@@ -205,9 +211,9 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
     for (std::size_t i = next++; i < chains.size(); i = next++) {
       if (strokes.stop.stop_requested()) break;
       const ScreenChain& line = chains[i].line;
-      chains[i].stretches =
-          stretchesOf(line, strokes.smallestGapPx,
-                      [&](const ScreenChain::Point& p) { return looker.look(line, p); });
+      chains[i].stretches = stretchesOf(
+          line, strokes.smallestGapPx,
+          [&](const ScreenChain::Point& p) { return looker.look(line, p); }, samplePx);
       chains[i].outlineOfPart = line.chain.family == LineFamily::OccludingContours &&
                                 line.chain.closed && line.length() < strokes.minLengthPx &&
                                 looker.isWholeOutline(line);

@@ -12,7 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kSamplePx = 1.0;
 // Lines are cut off so far outside the picture, as a share of its diagonal: far more than what
 // lines are judged by (minWeightPx, kJudgedPx), little enough that a large zoom costs no more.
 constexpr double kCutShare = 0.5;
@@ -236,9 +235,10 @@ std::vector<ScreenChain> onScreen(LineChain chain, const Projection& projection)
 }
 
 std::vector<Stretch> stretchesOf(const ScreenChain& chain, double smallestGapPx,
-                                 const std::function<Seen(const ScreenChain::Point&)>& seenAt) {
+                                 const std::function<Seen(const ScreenChain::Point&)>& seenAt,
+                                 double samplePx) {
   const double length = chain.length();
-  const auto samples = std::max<std::size_t>(1, static_cast<std::size_t>(length / kSamplePx));
+  const auto samples = std::max<std::size_t>(1, static_cast<std::size_t>(length / samplePx));
   const double step = length / static_cast<double>(samples);
   const auto seenAtPlace = [&](double place) { return seenAt(chain.at(place)); };
   const auto middleOf = [step](std::size_t k) { return (static_cast<double>(k) + 0.5) * step; };

@@ -53,12 +53,13 @@ struct Stretch {
   Seen seen;
 };
 
-/// Divides a chain into stretches. `seenAt` is asked about once a pixel, places where the answer
-/// changes are then located to 1/32 px. Stretches shorter than `smallestGapPx` take the answer of
-/// their longer neighbour, the shortest first. The stretches cover the chain from 0 (open) or from
-/// the first change (closed); one stretch from 0 to the length if nothing changes.
+/// Divides a chain into stretches. `seenAt` is asked about once in `samplePx`, places where the
+/// answer changes are then located to 1/32 px. Stretches shorter than `smallestGapPx` take the
+/// answer of their longer neighbour, the shortest first. The stretches cover the chain from 0
+/// (open) or from the first change (closed); one stretch from 0 to the length if nothing changes.
 std::vector<Stretch> stretchesOf(const ScreenChain& chain, double smallestGapPx,
-                                 const std::function<Seen(const ScreenChain::Point&)>& seenAt);
+                                 const std::function<Seen(const ScreenChain::Point&)>& seenAt,
+                                 double samplePx = 1.0);
 
 /// What stretchesOf ends with: neighbours that are seen alike become one, and stretches shorter
 /// than `smallestGapPx` take their longer neighbour's answer, the shortest first, what is covered

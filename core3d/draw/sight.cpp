@@ -5,10 +5,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <span>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "core3d/mesh/crease_angles.h"
 
@@ -20,12 +25,13 @@ namespace flatland {
 namespace {
 
 using Eigen::Vector3d;
+using Eigen::Vector3f;
 
 // Shares of the mesh's size (2): below a tenth of a pixel of a large picture, and far above the
 // rounding of a ray that grazes. See Sight.
 constexpr float kTouching = 2e-4f;
 constexpr float kTouchingNeighbour = 2e-3f;
-const double kFoldCosine = cosineOfDeg(kFoldDeg);
+const float kFoldCosine = static_cast<float>(cosineOfDeg(kFoldDeg));
 // The smooth surface counts as facing away below this n.w: the interpolated normal of a contour
 // point is only nearly across the view.
 constexpr double kFacingAway = -0.1;
@@ -61,25 +67,84 @@ bool shareVertex(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
   return false;
 }
 
-bool bentLessThanAFold(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
-  const Vector3d a = crossOf(mesh, s), b = crossOf(mesh, t);
-  return a.dot(b) > kFoldCosine * a.norm() * b.norm();
-}
+// Of so many triangles round one vertex normals are looked at that stand for all of them, no more
+// than a few degrees off: messy meshes have fans of thousands, and rays pass hundreds of them.
+constexpr std::uint32_t kLargeFan = 64;
 
-// True if a triangle that touches both (it may be one of them) leads from one to the other without
-// being bent like an edge against either.
-bool areOneFold(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
-  for (const std::uint32_t v : mesh.triangles[t]) {
-    for (std::uint32_t i = mesh.cornerStart[v]; i < mesh.cornerStart[v + 1]; ++i) {
-      const std::uint32_t between = mesh.cornersAt[i] / 3;
-      if (shareVertex(mesh, s, between) && bentLessThanAFold(mesh, t, between) &&
-          bentLessThanAFold(mesh, between, s)) {
-        return true;
-      }
+// Which triangles lead smoothly to one another.
+class Folds {
+ public:
+  explicit Folds(const TriangleMesh& mesh) : mesh_(mesh), normals_(mesh.triangleCount()) {
+    for (std::uint32_t t = 0; t < normals_.size(); ++t) {
+      normals_[t] = crossOf(mesh, t).stableNormalized().cast<float>();
+    }
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+      if (fanOf(v).size() > kLargeFan) addLargeFan(v);
     }
   }
-  return false;
-}
+
+  // True if a triangle that touches both (it may be one of them) leads from one to the other
+  // without being bent like an edge against either. In large fans it has to touch both at the same
+  // vertex, or one of them at a vertex with a smaller fan.
+  bool areOne(std::uint32_t s, std::uint32_t t) const {
+    return leadsOver(s, t) || (!largeFans_.empty() && (leadsOver(t, s) || leadsOverLarge(s, t)));
+  }
+
+ private:
+  std::span<const std::uint32_t> fanOf(std::uint32_t v) const {
+    return std::span(mesh_.cornersAt)
+        .subspan(mesh_.cornerStart[v], mesh_.cornerStart[v + 1] - mesh_.cornerStart[v]);
+  }
+
+  bool bentLess(std::uint32_t s, std::uint32_t t) const {
+    return normals_[s].dot(normals_[t]) > kFoldCosine;
+  }
+
+  bool leadsOver(std::uint32_t s, std::uint32_t t) const {
+    for (const std::uint32_t v : mesh_.triangles[t]) {
+      const auto fan = fanOf(v);
+      if (fan.size() > kLargeFan) continue;
+      for (const std::uint32_t corner : fan) {
+        const std::uint32_t between = corner / 3;
+        if (bentLess(t, between) && bentLess(between, s) && shareVertex(mesh_, s, between))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  bool leadsOverLarge(std::uint32_t s, std::uint32_t t) const {
+    for (const std::uint32_t v : mesh_.triangles[t]) {
+      const auto& other = mesh_.triangles[s];
+      const auto fan = std::find(other.begin(), other.end(), v) == other.end() ? largeFans_.end()
+                                                                               : largeFans_.find(v);
+      if (fan == largeFans_.end()) continue;
+      if (bentLess(s, t)) return true;
+      for (const Vector3f& between : fan->second) {
+        if (normals_[s].dot(between) > kFoldCosine && normals_[t].dot(between) > kFoldCosine)
+          return true;
+      }
+    }
+    return false;
+  }
+
+  // Of the normals that point through the same cell of a cube the first stands for the others.
+  void addLargeFan(std::uint32_t v) {
+    constexpr float kCells = 8.0f;  // along an edge
+    std::set<std::array<int, 3>> taken;
+    for (const std::uint32_t corner : fanOf(v)) {
+      const Vector3f& n = normals_[corner / 3];
+      const float most = n.cwiseAbs().maxCoeff();
+      if (!(most > 0.0f)) continue;
+      const Eigen::Array3i cell = ((n.array() / most + 1.0f) * (kCells / 2.0f)).floor().cast<int>();
+      if (taken.insert({cell.x(), cell.y(), cell.z()}).second) largeFans_[v].push_back(n);
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<Vector3f> normals_;  // of the triangles, unit or 0
+  std::unordered_map<std::uint32_t, std::vector<Vector3f>> largeFans_;  // by vertex
+};
 
 // The place on the viewer's side of both triangles, `offset` from each. Where they meet so sharply
 // that this is far off, nearer.
@@ -97,6 +162,7 @@ Vector3d outsideBoth(const TriangleMesh& mesh, const SightPoint& point, const Ve
 struct Context {
   RTCIntersectContext embree;
   const TriangleMesh* mesh;
+  const Folds* folds;
   std::uint32_t own, other;  // kNone: no other
   float touchingNeighbour;   // a hit on a neighbour does not count below this distance ...
   float foldReach;           // ... or this one, if the neighbour belongs to the same fold
@@ -114,7 +180,7 @@ void ignoreOwn(const RTCFilterFunctionNArguments* arguments) {
         (context.other != TriangleMesh::kNone && shareVertex(*context.mesh, t, context.other));
   }
   if (!ignored && distance < context.foldReach) {
-    ignored = areOneFold(*context.mesh, t, context.own);
+    ignored = context.folds->areOne(context.own, t);
   }
   if (ignored) arguments->valid[0] = 0;
 }
@@ -124,6 +190,7 @@ void ignoreOwn(const RTCFilterFunctionNArguments* arguments) {
 struct Sight::State {
   const TriangleMesh* mesh;
   const SurfaceFields* fields;
+  Folds folds;
   Device device;
   Scene scene;
 
@@ -148,9 +215,7 @@ struct Sight::State {
 };
 
 Sight::Sight(const TriangleMesh& mesh, const SurfaceFields& fields)
-    : state_(std::make_unique<State>()) {
-  state_->mesh = &mesh;
-  state_->fields = &fields;
+    : state_(new State{&mesh, &fields, Folds(mesh), {}, {}}) {
   state_->device.reset(rtcNewDevice(nullptr));
   if (!state_->device) throw std::runtime_error("Embree does not start");
   const RTCDevice device = state_->device.get();
@@ -206,6 +271,7 @@ bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offs
   const Vector3d w = view.towardsViewer(point.at);
   Context context{};
   context.mesh = &mesh;
+  context.folds = &state_->folds;
   context.own = point.triangle;
   context.other = point.other;
   context.touchingNeighbour = kTouchingNeighbour;
@@ -233,6 +299,7 @@ bool Sight::empty(const SightPoint& point, const Vector3d& beside, const Surface
   const Vector3d origin = view.eye ? *view.eye : Vector3d(beside - kFarOutside * direction);
   Context context{};
   context.mesh = state_->mesh;
+  context.folds = &state_->folds;
   context.own = point.triangle;
   context.other = point.other;
   context.foldReach = std::numeric_limits<float>::infinity();
