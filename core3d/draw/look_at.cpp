@@ -47,7 +47,8 @@ class Looker {
   Seen look(const ScreenChain& line, const ScreenChain::Point& p) {
     const std::uint32_t other = line.chain.otherOf(p.piece);
     const bool interpolated = other == TriangleMesh::kNone && !followsTheMesh(line.chain.family);
-    const SightPoint point{p.at, line.chain.triangles[p.piece], interpolated, other};
+    const SightPoint point{p.at, line.chain.triangles[p.piece], interpolated, other,
+                           line.chain.family == LineFamily::OccludingContours};
     const double px = unitsPerPx(p.at);
     ++rays_;
     const bool hidden =
@@ -92,7 +93,7 @@ class Looker {
                  double distance) {
     const Vector3d w = view_.towardsViewer(p.at);
     if (line.chain.family == LineFamily::OccludingContours) {
-      const Vector3d n = sight_.normalAt(point);
+      const Vector3d n = sight_.outwardAt(point, view_);
       return emptyBeside(point, distance * (n - n.dot(w) * w).stableNormalized());
     }
     const auto& points = line.chain.points;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core3d/mesh/crease_angles.h"
+#include "core3d/mesh/pieces.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
@@ -191,6 +192,7 @@ struct Sight::State {
   const TriangleMesh* mesh;
   const SurfaceFields* fields;
   Folds folds;
+  Sheets sheets;
   Device device;
   Scene scene;
 
@@ -215,7 +217,7 @@ struct Sight::State {
 };
 
 Sight::Sight(const TriangleMesh& mesh, const SurfaceFields& fields)
-    : state_(new State{&mesh, &fields, Folds(mesh), {}, {}}) {
+    : state_(new State{&mesh, &fields, Folds(mesh), Sheets(mesh), {}, {}}) {
   state_->device.reset(rtcNewDevice(nullptr));
   if (!state_->device) throw std::runtime_error("Embree does not start");
   const RTCDevice device = state_->device.get();
@@ -266,6 +268,21 @@ Vector3d Sight::normalAt(const SightPoint& point) const {
   return normal.stableNormalized();
 }
 
+Vector3d Sight::outwardAt(const SightPoint& point, const SurfaceView& view) const {
+  const Vector3d normal = normalAt(point);
+  const SurfaceFields& fields = *state_->fields;
+  if (!state_->sheets.has(point.triangle) || fields.vertexCount() == 0) return normal;
+  const Vector3d towards = view.towardsViewer(point.at);
+  if (!point.contour) return normal.dot(towards) < 0.0 ? Vector3d(-normal) : normal;
+  const Eigen::Vector3f w = towards.cast<float>();
+  float bending = 0.0f;  // K(w_T, w_T)
+  for (const std::uint32_t v : state_->mesh->triangles[point.triangle]) {
+    const float w1 = fields.e1(v).dot(w), w2 = fields.e2(v).dot(w);
+    bending += fields.k1[v] * w1 * w1 + fields.k2[v] * w2 * w2;
+  }
+  return bending < 0.0f ? Vector3d(-normal) : normal;
+}
+
 bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offset) const {
   const TriangleMesh& mesh = *state_->mesh;
   const Vector3d w = view.towardsViewer(point.at);
@@ -279,8 +296,10 @@ bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offs
   if (point.other != TriangleMesh::kNone) {
     origin = outsideBoth(mesh, point, w, offset);
   } else {
-    Vector3d normal = normalAt(point);
-    const Vector3d cross = crossOf(mesh, point.triangle), flat = cross.stableNormalized();
+    Vector3d normal = outwardAt(point, view);
+    const bool turned = normal.dot(normalAt(point)) < 0.0;
+    const Vector3d cross = crossOf(mesh, point.triangle),
+                   flat = (turned ? -1.0 : 1.0) * cross.stableNormalized();
     if (normal.dot(flat) < kCreasedCosine && flat.dot(w) > 0.0) normal = flat;
     const double facing = normal.dot(w);
     const bool fold = point.interpolated && facing > kFacingAway;

@@ -21,6 +21,7 @@ struct SightPoint {
   /// The second triangle that it lies in, if any: beyond an edge that it lies on, or of the sheet
   /// that crosses the first one there. It is looked at from the viewer's side of both.
   std::uint32_t other = TriangleMesh::kNone;
+  bool contour = false;  ///< of an occluding contour: the smooth surface folds over there
 };
 
 /// Answers what a mesh hides, by casting rays (wald2014, Embree). A line lies on the very surface
@@ -53,6 +54,11 @@ class Sight {
 
   /// Interpolated from the vertices; the triangle's own where they have none. Unit, or 0.
   Eigen::Vector3d normalAt(const SightPoint& point) const;
+
+  /// That normal on the viewer's side. Sheets may be seen from behind: there it is turned round if
+  /// it faces away, and at a contour, where it does neither, if the surface is concave along the
+  /// view. Elsewhere it points out of the body as it is.
+  Eigen::Vector3d outwardAt(const SightPoint& point, const SurfaceView& view) const;
 
  private:
   struct State;

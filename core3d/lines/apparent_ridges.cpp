@@ -45,7 +45,7 @@ RidgeFall apparentRidgeFall(const SeenMesh& sight, std::uint32_t triangle) {
   // derivative is one per length already.
   RidgeFall fall{{}, 0.0f};
   for (std::size_t k = 0; k < 3; ++k) {
-    const float nw = seen.nw[v[k]], root = seen.root[v[k]];
+    const float nw = std::abs(seen.nw[v[k]]), root = seen.root[v[k]];
     const float below = closedForm ? nw * nw * root * seen.r(v[k]).norm() : root / nw;
     fall.derivative[k] = below > 0.0f ? seen.slope[v[k]] / below : 0.0f;
     fall.curvature += root / (3.0f * nw);
@@ -56,8 +56,11 @@ RidgeFall apparentRidgeFall(const SeenMesh& sight, std::uint32_t triangle) {
 bool apparentRidgeStandsOut(const SeenMesh& sight, std::uint32_t triangle, const Eigen::Vector3f& a,
                             const Eigen::Vector3f& b) {
   const SeenVertices& seen = sight.seen;
-  const CurvatureField field{sight.mesh,     seen.root.data(), seen.nw.data(),   seen.rx.data(),
-                             seen.ry.data(), seen.rz.data(),   seen.flags.data()};
+  const CurvatureField field{
+      sight.mesh,        seen.root.data(),
+      seen.nw.data(),    seen.rx.data(),
+      seen.ry.data(),    seen.rz.data(),
+      seen.flags.data(), std::copysign(1.0f, seen.nw[sight.mesh.triangles[triangle][0]])};
   return standsOut(field, triangle, 0.5f * (a + b), Contrast::kReach * sight.size());
 }
 

@@ -77,9 +77,10 @@ void addSeenEdges(const SeenMesh& sight, const SharpEdges& sharp, Segments& out)
   for (const SharpEdge& edge : sharp.edges()) {
     TwoSides sides;
     if (!sidesOf(sight, sharp, edge.halfEdge, sides)) continue;
+    const bool sheet = sight.sheets.has(edge.halfEdge / 3);
     addParts(
-        sight.mesh, sides, kSharpStrength, [](bool here, bool there) { return here && there; },
-        out);
+        sight.mesh, sides, kSharpStrength,
+        [sheet](bool here, bool there) { return here == there && (here || sheet); }, out);
   }
 }
 

@@ -20,6 +20,7 @@ struct Step {
 // Behind a silhouette it is as at it: larger than anything.
 float quotient(const CurvatureField& field, float value, float divisor) {
   if (field.divisor == nullptr) return value;
+  divisor *= field.side;
   return divisor > 0.0f ? value / divisor : std::numeric_limits<float>::infinity();
 }
 

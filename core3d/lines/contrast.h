@@ -17,6 +17,7 @@ struct CurvatureField {
   const float* divisor;  ///< the curvature is value / divisor; nullptr: value alone
   const float *rx, *ry, *rz;
   const std::uint8_t* flags;  ///< VertexFlag::kSkipped ends a walk; nullptr: no flags
+  float side = 1.0f;          ///< of the divisor; -1: the walk is where it is negative
 
   Eigen::Vector3f r(std::uint32_t v) const { return {rx[v], ry[v], rz[v]}; }
 };

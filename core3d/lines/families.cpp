@@ -15,7 +15,7 @@ LineEnd endAt(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint&
 
 void addPiece(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint (&points)[2],
               const float (&strength)[2], float threshold, const float* nw, Segments& out,
-              std::uint32_t level) {
+              std::uint32_t level, float side) {
   if (!(std::max(strength[0], strength[1]) >= threshold)) return;
   LineEnd ends[2] = {endAt(mesh, triangle, points[0], strength[0]),
                      endAt(mesh, triangle, points[1], strength[1])};
@@ -24,7 +24,7 @@ void addPiece(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint 
     float facing[2];
     for (int i = 0; i < 2; ++i) {
       const auto corner = static_cast<std::size_t>(points[i].corner);
-      facing[i] = points[i].between(nw[v[corner]], nw[v[(corner + 1) % 3]]);
+      facing[i] = side * points[i].between(nw[v[corner]], nw[v[(corner + 1) % 3]]);
     }
     if (!(facing[0] > 0.0f) && !(facing[1] > 0.0f)) return;
     for (int i = 0; i < 2; ++i) {

@@ -10,6 +10,7 @@
 #include "core3d/lines/feature_lines.h"
 #include "core3d/lines/seen_vertices.h"
 #include "core3d/lines/sharp_edges.h"
+#include "core3d/mesh/pieces.h"
 
 // The families of lines, each in a file of its own. Part of LineFinder, which walks over the mesh
 // once and calls those of the view for the triangles whose flags say that something may be there.
@@ -26,7 +27,13 @@ struct SeenMesh {
   const SurfaceView& view;
   const LineOptions& options;
   const SeenVertices& seen;
+  const Sheets& sheets;
 
+  /// True if a triangle whose corners agree on the side that faces the viewer shows one: its front,
+  /// or on a sheet either. `front`: kFront of the corners.
+  bool shows(std::uint32_t triangle, bool allFront, bool someFront) const {
+    return allFront || (!someFront && sheets.has(triangle));
+  }
   float size() const { return static_cast<float>(fields.size); }
   float threshold(LineFamily family) const {
     return static_cast<float>(options.thresholdOf(family));
@@ -43,7 +50,7 @@ constexpr float kSharpStrength = 100.0f;
 void addSplitContours(const SeenMesh& sight, const SharpEdges& sharp, Segments& out);
 /// Isophotes of all split triangles, each side of a sharp edge by its own normals.
 void addSplitIsophotes(const SeenMesh& sight, const SharpEdges& sharp, Segments& out);
-/// The sharp edges, as far as both sides are turned to the viewer.
+/// The sharp edges, as far as both sides are turned to the viewer, or on a sheet away from him.
 void addSeenEdges(const SeenMesh& sight, const SharpEdges& sharp, Segments& out);
 
 // Of the view, for one triangle.
@@ -96,10 +103,10 @@ inline LineNode innerNode(const TriangleMesh& mesh, std::uint32_t triangle) {
 inline LineNode sideNode(std::uint32_t halfEdge) { return freeNode(halfEdge); }
 
 /// Adds the piece of a line between two edges of a triangle; with `nw` (per vertex) only as far as
-/// n.w > 0. Does nothing if neither end reaches the threshold.
+/// side * n.w > 0. Does nothing if neither end reaches the threshold.
 void addPiece(const TriangleMesh& mesh, std::uint32_t triangle, const EdgePoint (&points)[2],
               const float (&strength)[2], float threshold, const float* nw, Segments& out,
-              std::uint32_t level = 0);
+              std::uint32_t level = 0, float side = 1.0f);
 
 /// The maxima among the oriented crossings of a triangle, or all of them. `strengthAt(a, b, t)` is
 /// the strength between two vertices, `standsOut(a, b)` has the last word on a piece between two

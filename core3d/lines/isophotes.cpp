@@ -10,10 +10,15 @@
 namespace flatland {
 namespace {
 
-// Calls add(level, crossings) for each level between the corners' n.w.
+// Calls add(level, crossings) for each level between the corners' n.w; of a
+// sheet, which is lit on either side, for the side that mostly faces the viewer.
 template <typename Add>
-void forLevels(const std::array<float, 3>& nw, int levels, const Add& add) {
-  levels = std::max(levels, 1);
+void forLevels(const SeenMesh& sight, std::uint32_t triangle, std::array<float, 3> nw,
+               const Add& add) {
+  if (sight.sheets.has(triangle) && nw[0] + nw[1] + nw[2] < 0.0f) {
+    for (float& facing : nw) facing = -facing;
+  }
+  const int levels = std::max(sight.options.isophoteLevels, 1);
   const auto steps = static_cast<float>(levels + 1);
   const auto [least, most] = std::minmax({nw[0], nw[1], nw[2]});
   if (most - least <= kFlatFacing) return;
@@ -31,7 +36,7 @@ void forLevels(const std::array<float, 3>& nw, int levels, const Add& add) {
 void addIsophotes(const SeenMesh& sight, std::uint32_t triangle, Segments& out) {
   const auto& v = sight.mesh.triangles[triangle];
   const std::vector<float>& nw = sight.seen.nw;
-  forLevels({nw[v[0]], nw[v[1]], nw[v[2]]}, sight.options.isophoteLevels,
+  forLevels(sight, triangle, {nw[v[0]], nw[v[1]], nw[v[2]]},
             [&](std::uint32_t level, const Crossings& found) {
               addPiece(sight.mesh, triangle, {found.points[0], found.points[1]}, {1.0f, 1.0f}, 0.0f,
                        nullptr, out, level);
@@ -41,7 +46,7 @@ void addIsophotes(const SeenMesh& sight, std::uint32_t triangle, Segments& out) 
 void addSplitIsophotes(const SeenMesh& sight, const SharpEdges& sharp, Segments& out) {
   for (const SplitTriangle& split : sharp.triangles()) {
     if (!isKnown(split)) continue;
-    forLevels(facingOf(sight, split), sight.options.isophoteLevels,
+    forLevels(sight, split.triangle, facingOf(sight, split),
               [&](std::uint32_t level, const Crossings& found) {
                 out.push_back({endOnSide(sight, sharp, split.triangle, found.points[0]),
                                endOnSide(sight, sharp, split.triangle, found.points[1]),

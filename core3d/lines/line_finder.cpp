@@ -38,15 +38,18 @@ bool needsCurvature(LineFamily family) {
 struct LineFinder::State {
   const TriangleMesh& mesh;
   const SurfaceFields& fields;
+  Sheets sheets;
   VertexClusters clusters;
   SharpEdges sharp;
+  bool cull;
   std::vector<VertexRun> runs;
   SeenVertices seen, highlights;
   ContrastMemory memory;
-  bool cull;
   std::array<std::optional<FixedLines>, kLineFamilyCount> fixed;
   Times times;
 
+  State(const TriangleMesh& m, const SurfaceFields& f, bool passOver)
+      : mesh(m), fields(f), sheets(m), clusters(m, f, sheets), sharp(m, f), cull(passOver) {}
   void addFixed(LineFamily family, const LineOptions& options, Segments& out);
   Segments findFixed(LineFamily family, const LineOptions& options) const;
   void walk(const SeenMesh& sight, FeatureLines& lines);
@@ -54,17 +57,7 @@ struct LineFinder::State {
 };
 
 LineFinder::LineFinder(const TriangleMesh& mesh, const SurfaceFields& fields, bool cull)
-    : state_(new State{mesh,
-                       fields,
-                       VertexClusters(mesh, fields),
-                       SharpEdges(mesh, fields),
-                       {},
-                       {},
-                       {},
-                       {},
-                       cull,
-                       {},
-                       {}}) {}
+    : state_(new State(mesh, fields, cull)) {}
 LineFinder::~LineFinder() = default;
 LineFinder::LineFinder(LineFinder&&) noexcept = default;
 LineFinder& LineFinder::operator=(LineFinder&&) noexcept = default;
@@ -170,9 +163,10 @@ void LineFinder::State::walk(const SeenMesh& sight, FeatureLines& lines) {
     if (differ == 0 || !(every & kKnown)) continue;
     if (sharp.splits(t) && !all) continue;
     if ((differ & kFront) && !sharp.splits(t)) addContour(sight, t, *contours);
-    if ((differ & kOctant) && (all || ((some & kStrong) && (every & kFront))))
+    if ((differ & kOctant) &&
+        (all || ((some & kStrong) && sight.shows(t, every & kFront, some & kFront))))
       addApparentRidge(sight, t, memory, *apparent);
-    if ((differ & kRadial) && (all || (some & kFront)))
+    if ((differ & kRadial) && (all || (some & kFront) || sheets.has(t)))
       addSuggestive(sight, t, suggestive, highlight);
   }
   if (contours) addSplitContours(sight, sharp, *contours);
@@ -187,7 +181,7 @@ void LineFinder::State::walk(const SeenMesh& sight, FeatureLines& lines) {
     const std::uint8_t* const f = highlights.flags.data();
     const unsigned some = f[a] | f[b] | f[c], every = f[a] & f[b] & f[c];
     if ((some ^ every) & kOctant && !((some ^ every) & kRadial) && (every & kKnown) &&
-        (all || ((every & kFront) && !sharp.splits(t))))
+        (all || (sight.shows(t, every & kFront, some & kFront) && !sharp.splits(t))))
       addPrincipalHighlight(sight, highlights, t, *principal);
   }
 }
@@ -209,7 +203,7 @@ FeatureLines LineFinder::find(const SurfaceView& view, const LineOptions& option
           : static_cast<float>(options.thresholdOf(LineFamily::ApparentRidges) / s.fields.size);
   const bool ofView = std::any_of(options.on.begin(), options.on.begin() + kViewFamilies,
                                   [](bool on) { return on; });
-  const SeenMesh sight{s.mesh, s.fields, view, options, s.seen};
+  const SeenMesh sight{s.mesh, s.fields, view, options, s.seen, s.sheets};
   if (ofView) {
     auto start = Clock::now();
     s.seen.resize(s.mesh.vertexCount(), needs);

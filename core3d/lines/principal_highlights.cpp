@@ -42,10 +42,12 @@ void seeHighlights(const TriangleMesh& mesh, const SurfaceFields& fields, const 
 void addPrincipalHighlight(const SeenMesh& sight, const SeenVertices& highlights,
                            std::uint32_t triangle, Segments& out) {
   const auto& v = sight.mesh.triangles[triangle];
+  // Seen from behind, |n.w| grows where n.w falls.
+  const float side = highlights.flags[v[0]] & VertexFlag::kFront ? 1.0f : -1.0f;
   OrientedFace face;
   for (std::size_t k = 0; k < 3; ++k) {
     face.p[k] = sight.mesh.position(v[k]);
-    face.r[k] = highlights.r(v[k]);
+    face.r[k] = side * highlights.r(v[k]);
     face.slope[k] = highlights.slope[v[k]];
   }
   const bool all = sight.options.unfiltered;

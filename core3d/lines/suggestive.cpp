@@ -44,14 +44,19 @@ void addSuggestive(const SeenMesh& sight, std::uint32_t triangle, Segments* cont
   }
   const bool all = sight.options.unfiltered;
   const float* nw = all ? nullptr : sight.seen.nw.data();
-  const auto add = [&](Segments* out, LineFamily family, float a, float b) {
+  const auto add = [&](Segments* out, LineFamily family, float side, float a, float b) {
     const float least =
         all ? -std::numeric_limits<float>::infinity() : std::max(0.0f, sight.threshold(family));
     if (out && (all || a + b > 0.0f))
-      addPiece(sight.mesh, triangle, {found.points[0], found.points[1]}, {a, b}, least, nw, *out);
+      addPiece(sight.mesh, triangle, {found.points[0], found.points[1]}, {a, b}, least, nw, *out, 0,
+               side);
   };
-  add(contours, LineFamily::SuggestiveContours, strength[0], strength[1]);
-  add(highlights, LineFamily::SuggestiveHighlights, -strength[0], -strength[1]);
+  add(contours, LineFamily::SuggestiveContours, 1.0f, strength[0], strength[1]);
+  add(highlights, LineFamily::SuggestiveHighlights, 1.0f, -strength[0], -strength[1]);
+  if (all || !sight.sheets.has(triangle)) return;
+  // Seen from behind, the normal and all curvatures change their signs.
+  add(contours, LineFamily::SuggestiveContours, -1.0f, -strength[0], -strength[1]);
+  add(highlights, LineFamily::SuggestiveHighlights, -1.0f, strength[0], strength[1]);
 }
 
 }  // namespace flatland

@@ -9,7 +9,8 @@
 
 namespace flatland {
 
-VertexClusters::VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fields)
+VertexClusters::VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fields,
+                               const Sheets& sheets)
     : vertices_(static_cast<std::uint32_t>(mesh.vertexCount())) {
   // The rest of the division goes to the last one, so that none is shorter than a SIMD vector.
   clusters_.resize(std::max(vertices_ / kSize, 1u));
@@ -22,27 +23,30 @@ VertexClusters::VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fi
     std::vector<std::uint32_t> around;
     for (std::uint32_t block; (block = next++) < blocks;) {
       for (std::uint32_t c = block * kBlock; c < std::min(count, (block + 1) * kBlock); ++c)
-        clusters_[c] = clusterOf(mesh, fields, c, around);
+        clusters_[c] = clusterOf(mesh, fields, sheets, c, around);
     }
   });
 }
 
 VertexClusters::Cluster VertexClusters::clusterOf(const TriangleMesh& mesh,
-                                                  const SurfaceFields& fields, std::uint32_t c,
+                                                  const SurfaceFields& fields, const Sheets& sheets,
+                                                  std::uint32_t c,
                                                   std::vector<std::uint32_t>& around) const {
   const std::uint32_t begin = c * kSize,
                       end = c + 1 == clusters_.size() ? vertices_ : begin + kSize;
   around.clear();
+  Cluster cluster;
+  cluster.sheet = false;
   for (std::uint32_t v = begin; v < end; ++v) {
     for (std::uint32_t i = mesh.cornerStart[v]; i < mesh.cornerStart[v + 1]; ++i) {
       const std::uint32_t corner = mesh.cornersAt[i];
+      cluster.sheet = cluster.sheet || sheets.has(corner / 3);
       for (const std::uint32_t u : mesh.triangles[corner / 3]) around.push_back(u);
     }
   }
   std::sort(around.begin(), around.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
 
-  Cluster cluster;
   Eigen::Vector3f axis = Eigen::Vector3f::Zero(), low = mesh.position(around[0]), high = low;
   bool known = true;
   cluster.k1Max = fields.k1[around[0]];
@@ -104,11 +108,13 @@ void VertexClusters::runsFor(const SurfaceView& view, const VertexNeeds& needs,
       const float least = cosine <= -cosCone ? -1.0f : cosine * cosCone - sine * sinCone;
       const float kMost = std::max(cluster.k1Max, -cluster.k2Min);
       const bool away = most<-kMargin, towards = least> kMargin;
+      const bool unseen = away && !cluster.sheet;
       run.nw = needs.facing || !(away || towards);
       // lambda <= max(|k1|, |k2|)^2 / nw^2.
-      run.ridges =
-          needs.ridges && !away && !(towards && kMost < kClear * needs.minRoot * (least - kMargin));
-      run.radial = needs.radial && !away && cluster.k1Max >= 0.0f && cluster.k2Min <= 0.0f;
+      const float facing = towards ? least : away ? -most : 0.0f;
+      run.ridges = needs.ridges && !unseen &&
+                   !((towards || away) && kMost < kClear * needs.minRoot * (facing - kMargin));
+      run.radial = needs.radial && !unseen && cluster.k1Max >= 0.0f && cluster.k2Min <= 0.0f;
       run.flags = VertexFlag::kKnown | VertexFlag::kSkipped;
       if (towards) run.flags |= VertexFlag::kFront;
       if (needs.radial && cluster.k2Min > 0.0f) run.flags |= VertexFlag::kRadial;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core3d/lines/seen_vertices.h"
+#include "core3d/mesh/pieces.h"
 
 namespace flatland {
 
@@ -15,11 +16,11 @@ namespace flatland {
 class VertexClusters {
  public:
   /// One pass over vertices and triangles, on all cores.
-  VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fields);
+  VertexClusters(const TriangleMesh& mesh, const SurfaceFields& fields, const Sheets& sheets);
 
   /// The runs of vertices that a view has to compute, in order, covering all. A run is passed over
-  /// only if that changes no face: all vertices of all faces at it face away, or face the viewer
-  /// with sqrt(lambda) below needs.minRoot and radial curvature of one sign.
+  /// only if that changes no face: all vertices of all faces at it face away and none is a sheet's,
+  /// or they face one way with sqrt(lambda) below needs.minRoot and radial curvature of one sign.
   void runsFor(const SurfaceView& view, const VertexNeeds& needs,
                std::vector<VertexRun>& runs) const;
 
@@ -30,10 +31,11 @@ class VertexClusters {
     float cosCone, sinCone;  ///< half-angle of the cone about the normals; cosCone < 0: unknown
     float radius;            ///< of a ball around the vertices
     float k1Max, k2Min;
+    bool sheet;  ///< both sides may be seen
   };
   /// `around` is room for the vertices of its faces.
-  Cluster clusterOf(const TriangleMesh& mesh, const SurfaceFields& fields, std::uint32_t c,
-                    std::vector<std::uint32_t>& around) const;
+  Cluster clusterOf(const TriangleMesh& mesh, const SurfaceFields& fields, const Sheets& sheets,
+                    std::uint32_t c, std::vector<std::uint32_t>& around) const;
 
   std::vector<Cluster> clusters_;
   std::uint32_t vertices_;

@@ -23,9 +23,8 @@ struct BuiltMesh {
 ///    have the same three vertices as another one, are left out.
 /// 3. An edge of more than two triangles is cut: none of them has a neighbour there.
 /// 4. Triangles are turned to agree with their neighbours, as the majority of their piece is
-///    wound. Where that is impossible (a Moebius strip), edges are cut. A piece without border
-///    that encloses a negative volume is turned outward; a piece with a border stays as the file
-///    has it.
+///    wound. Where that is impossible (a Moebius strip), edges are cut. A piece that has an
+///    outside (pieces.h) is turned outward; a relief or a mask stays as the file has it.
 /// 5. Pieces without any area are left out. Other triangles whose corners lie in one line stay,
 ///    for without them the surface would have a slit.
 /// 6. A vertex with several fans of triangles becomes one vertex for each fan.

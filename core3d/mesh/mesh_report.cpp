@@ -19,8 +19,7 @@ std::vector<std::string> MeshReport::sentences() const {
   tell(duplicateTriangles, "triangle", "triangles", "that repeat another left out");
   tell(strayTriangles, "triangle", "triangles", "of pieces without area left out");
   tell(turnedTriangles, "triangle", "triangles", "turned to agree with their neighbours");
-  tell(invertedPieces, "closed piece that was", "closed pieces that were",
-       "inside out turned outward");
+  tell(invertedPieces, "piece that was", "pieces that were", "inside out turned outward");
   tell(flatTriangles, "triangle", "triangles", "without area kept");
   tell(nonManifoldEdges, "edge", "edges", "with more than two triangles cut");
   tell(nonManifoldVertices, "vertex", "vertices", "where surfaces touch cut apart");

@@ -23,7 +23,7 @@ struct MeshReport {
   std::size_t duplicateTriangles = 0;  ///< repeat another one, either way round; left out
   std::size_t strayTriangles = 0;      ///< of pieces without any area; left out
   std::size_t turnedTriangles = 0;     ///< turned round to agree with their neighbours
-  std::size_t invertedPieces = 0;      ///< closed and inside out; turned as a whole
+  std::size_t invertedPieces = 0;      ///< inside out; turned as wholes
 
   // Left as they are, or cut.
   std::size_t flatTriangles = 0;        ///< three vertices in one line; kept, they carry no weight

@@ -2,8 +2,10 @@
 #include "core3d/mesh/winding.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
+#include <algorithm>
 #include <utility>
+
+#include "core3d/mesh/pieces.h"
 
 namespace flatland {
 
@@ -11,8 +13,6 @@ namespace {
 
 // Sine below which the corners of a triangle lie in one line as far as float positions tell.
 constexpr double kFlat = 1e-7;
-// A surface is closed if its area vectors cancel: this share of its area may remain.
-constexpr double kClosed = 1e-4;
 
 struct Walker {
   TriangleMesh& mesh;
@@ -72,41 +72,30 @@ struct Walker {
     }
   }
 
-  // Turns a closed piece outward, marks one without area.
+  // Turns a piece that has an outside that way, marks one without area.
   void measure() {
-    const Eigen::Vector3d base = mesh.position(mesh.triangles[piece[0]][0]).cast<double>();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double area = 0.0, volume = 0.0;
-    bool border = false;
     std::size_t flat = 0;
-    for (const std::uint32_t t : piece) {
-      const auto& [va, vb, vc] = mesh.triangles[t];
-      const Eigen::Vector3d a = mesh.position(va).cast<double>() - base,
-                            b = mesh.position(vb).cast<double>() - base,
-                            c = mesh.position(vc).cast<double>() - base;
-      Eigen::Vector3d vector = (b - a).cross(c - a);
-      const double size = vector.norm();
-      const double longest =
-          std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-      if (!(size > kFlat * longest)) ++flat;
-      if (turn[t]) vector = -vector;
-      sum += vector;
-      area += size;
-      volume += a.dot(vector);
-      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-        border = border || mesh.opposite[h] == TriangleMesh::kBorder;
-      }
-    }
+    for (const std::uint32_t t : piece) flat += isFlat(t) ? 1 : 0;
     if (flat == piece.size()) {
       leaveOut();
       return;
     }
     ++report.pieces;
     report.flatTriangles += flat;
-    if (!border && sum.norm() <= kClosed * area && volume < 0.0) {
-      for (const std::uint32_t t : piece) turn[t] ^= 1;
-      ++report.invertedPieces;
-    }
+    const PieceShape shape = shapeOf(mesh, piece, turn);
+    if (!shape.hasOutside() || shape.volume >= 0.0) return;
+    for (const std::uint32_t t : piece) turn[t] ^= 1;
+    ++report.invertedPieces;
+  }
+
+  bool isFlat(std::uint32_t t) const {
+    const auto& [va, vb, vc] = mesh.triangles[t];
+    const Eigen::Vector3d a = mesh.position(va).cast<double>(),
+                          b = mesh.position(vb).cast<double>(),
+                          c = mesh.position(vc).cast<double>();
+    const double longest =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return !((b - a).cross(c - a).norm() > kFlat * longest);
   }
 
   // Nothing of the piece counts any more, but for edges that it shares with others (cuts).

@@ -41,6 +41,7 @@ std::string_view nameOf(RidgeVerdict verdict) {
 struct TriangleStudy::State {
   const TriangleMesh& mesh;
   const SurfaceFields& fields;
+  Sheets sheets;
   SharpEdges sharp;
   LineFinder finder;
   SeenVertices seen;
@@ -56,7 +57,8 @@ struct TriangleStudy::State {
 };
 
 TriangleStudy::TriangleStudy(const TriangleMesh& mesh, const SurfaceFields& fields)
-    : state_(new State{mesh, fields, SharpEdges(mesh, fields), LineFinder(mesh, fields), {}}) {}
+    : state_(new State{
+          mesh, fields, Sheets(mesh), SharpEdges(mesh, fields), LineFinder(mesh, fields), {}}) {}
 TriangleStudy::~TriangleStudy() = default;
 
 Corner TriangleStudy::State::cornerAt(const SurfaceView& view, std::uint32_t vertex) const {
@@ -180,7 +182,8 @@ RidgeVerdict TriangleStudy::State::verdictOf(const SeenMesh& sight, const Orient
   if (sharp.splits(lesson.triangle)) return RidgeVerdict::Creased;
   if (std::none_of(lesson.opposed.begin(), lesson.opposed.end(), [](bool b) { return b; }))
     return RidgeVerdict::NoCrossing;
-  if (!(every & VertexFlag::kFront)) return RidgeVerdict::TurnedAway;
+  if (!sight.shows(lesson.triangle, every & VertexFlag::kFront, some & VertexFlag::kFront))
+    return RidgeVerdict::TurnedAway;
   if (lesson.crossings.empty()) return RidgeVerdict::SingularPoint;
   if (!directionsAgree(face)) return RidgeVerdict::DirectionsTurn;
   // The best of the pieces: each fails by the first of three.
@@ -209,7 +212,7 @@ TriangleLesson TriangleStudy::lesson(std::uint32_t triangle, const SurfaceView& 
   const VertexRun all{0, static_cast<std::uint32_t>(s.mesh.vertexCount()), true, true, false};
   s.seen.resize(s.mesh.vertexCount(), needs);
   seeVertices(s.mesh, s.fields, view, needs.minRoot, {&all, 1}, s.seen);
-  const SeenMesh sight{s.mesh, s.fields, view, options, s.seen};
+  const SeenMesh sight{s.mesh, s.fields, view, options, s.seen, s.sheets};
 
   TriangleLesson lesson;
   lesson.triangle = triangle;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core3d/mesh/triangle_mesh.h"
+
+namespace flatland {
+
+/// How far a piece of a surface (its triangles connected over edges) bounds a body. Lengths are
+/// those of the mesh.
+struct PieceShape {
+  double area = 0.0;
+  /// Area of what would close each connected part of the border, however jagged; 0 if there is
+  /// none.
+  double holes = 0.0;
+  /// Enclosed once each part of the border is joined to its middle; negative if inside out.
+  double volume = 0.0;
+
+  /// True if one side of it is the outside: the holes are not too large, and the volume does not
+  /// hang on how they are filled. So for a bust that stands open at the bottom, a scan with holes
+  /// or a tube, not for a relief or a mask, which may bulge either way.
+  bool hasOutside() const;
+  /// True if the holes let a viewer see much of both sides: a relief, a mask, a tube.
+  bool isSheet() const;
+};
+
+/// `turned[t]` not 0: triangle t counts the other way round; empty: none does. O(n) and
+/// O(b log b) for b edges of the border.
+PieceShape shapeOf(const TriangleMesh& mesh, std::span<const std::uint32_t> piece,
+                   std::span<const char> turned);
+
+/// Where the surface is a sheet: a piece that is not nearly closed, of which a viewer may see
+/// either side. Which side the normal is on is a convention there.
+class Sheets {
+ public:
+  /// No sheet anywhere.
+  Sheets() = default;
+  /// O(triangles).
+  explicit Sheets(const TriangleMesh& mesh);
+
+  bool has(std::uint32_t triangle) const { return !of_.empty() && of_[triangle] != 0; }
+
+ private:
+  std::vector<std::uint8_t> of_;  // by triangle; empty if there is none
+};
+
+}  // namespace flatland
