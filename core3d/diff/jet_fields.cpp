@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core3d/diff/local_fit.h"
@@ -40,12 +41,12 @@ constexpr double kTwoRingsShare = 0.13;
 
 // Root mean square distance of the vertices from a smooth surface, in the mesh's unit, where the
 // mesh has no features; 0 where there is nothing to tell it from.
-double noiseOf(const TriangleMesh& mesh, LocalFit& fit) {
+double noiseOf(const std::vector<std::uint32_t>& order, LocalFit& fit) {
   constexpr std::size_t kSamples = 4000;
-  const std::size_t step = 1 + mesh.vertexCount() / kSamples;
+  const std::size_t step = 1 + order.size() / kSamples;
   std::vector<double> noise;
-  for (std::size_t v = 0; v < mesh.vertexCount(); v += step) {
-    if (!fit.startAt(static_cast<std::uint32_t>(v)) || !fit.growTo(kFirst)) continue;
+  for (std::size_t i = 0; i < order.size(); i += step) {
+    if (!fit.startAt(order[i]) || !fit.growTo(kFirst)) continue;
     const HeightPolynomial h = fit.over(kFirst);
     const double points = fit.points(kFirst);
     const double spare = points - static_cast<double>(HeightPolynomial::sizeOf(h.degree));
@@ -99,13 +100,34 @@ float sizeAt(LocalFit& fit, double noise) {
   return static_cast<float>(better ? kSmallest : kFirst);
 }
 
-// Vertices no two of which are neighbours and that leave no room for more: about every third. Sizes
-// are chosen there and spread, which costs less than choosing everywhere and makes them change
-// slowly from vertex to vertex; where they jump, lines break. Creases have nothing to choose and
-// take the turn of no one beside them.
-std::vector<char> sparseVertices(const VertexNeighbours& neighbours) {
+// The vertices in an order that depends on the shape alone: by the lengths of the edges round them.
+// A mesh that is turned, moved or renumbered keeps it, but for ties.
+std::vector<std::uint32_t> inOrderOfShape(const TriangleMesh& mesh,
+                                          const VertexNeighbours& neighbours) {
+  const auto count = static_cast<std::uint32_t>(mesh.vertexCount());
+  // Positive floats are ordered like their bits; in a whole number with the vertex they sort fast.
+  std::vector<std::uint64_t> keys(count);
+  for (std::uint32_t v = 0; v < count; ++v) {
+    const Eigen::Vector3f p = mesh.position(v);
+    float lengths = 0.0f;
+    for (const std::uint32_t q : neighbours.of(v)) lengths += (mesh.position(q) - p).squaredNorm();
+    keys[v] = std::uint64_t{std::bit_cast<std::uint32_t>(lengths)} << 32 | v;
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order(count);
+  std::transform(keys.begin(), keys.end(), order.begin(),
+                 [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+  return order;
+}
+
+// Vertices no two of which are neighbours and that leave no room for more: about every third, the
+// first in the order. Sizes are chosen there and spread, which costs less than choosing everywhere
+// and makes them change slowly from vertex to vertex; where they jump, lines break. Creases have
+// nothing to choose and take the turn of no one beside them.
+std::vector<char> sparseVertices(const VertexNeighbours& neighbours,
+                                 const std::vector<std::uint32_t>& order) {
   std::vector<char> chosen(neighbours.onCrease.size(), 1);
-  for (std::uint32_t v = 0; v < chosen.size(); ++v) {
+  for (const std::uint32_t v : order) {
     if (neighbours.onCrease[v]) chosen[v] = 0;
     if (!chosen[v]) continue;
     for (const std::uint32_t q : neighbours.of(v)) chosen[q] = 0;
@@ -154,13 +176,14 @@ SurfaceFields jetFields(const TriangleMesh& mesh, const FieldOptions& options) {
   const Normals normals = vertexNormals(mesh, options);
   if (normals.empty()) return {};
   const VertexNeighbours neighbours(mesh);
+  const std::vector<std::uint32_t> order = inOrderOfShape(mesh, neighbours);
   const double noise = [&] {
     LocalFit fit(mesh, neighbours, normals);
-    return noiseOf(mesh, fit);
+    return noiseOf(order, fit);
   }();
 
   std::vector<float> sizes(mesh.vertexCount(), 0.0f);
-  const std::vector<char> sparse = sparseVertices(neighbours);
+  const std::vector<char> sparse = sparseVertices(neighbours, order);
   const auto choose = [&] {
     return
         [&, fit = LocalFit(mesh, neighbours, normals)](std::size_t begin, std::size_t end) mutable {
