@@ -54,9 +54,10 @@ void orderTriangles(std::vector<Triangle>& triangles, std::vector<std::uint32_t>
   std::size_t out = 0;
   for (std::size_t v = 0; v < vertices; ++v) {
     const auto begin = entries.begin() + start[v], end = entries.begin() + start[v + 1];
-    // Of duplicates the first in the file stays.
+    // Of duplicates one winding stays wherever it stands in the file, and the first of those.
     std::sort(begin, end, [](const Entry& p, const Entry& q) {
-      return std::tie(p.small, p.large, p.polygon) < std::tie(q.small, q.large, q.polygon);
+      return std::tie(p.small, p.large, p.turned, p.polygon) <
+             std::tie(q.small, q.large, q.turned, q.polygon);
     });
     for (auto i = begin; i != end; ++i) {
       if (i != begin && i->small == (i - 1)->small && i->large == (i - 1)->large) continue;

@@ -195,10 +195,16 @@ class Triangulator {
     const double through0 = std::min(quality(q[0], q[1], q[2]), quality(q[0], q[2], q[3]));
     const double through1 = std::min(quality(q[1], q[2], q[3]), quality(q[1], q[3], q[0]));
     if (std::max(through0, through1) < 0.0) ++result.folded;
-    // Of two equally good diagonals the one at the corner with the smaller number, so that where
-    // the file begins the face does not matter.
-    const bool first = through0 > through1 ||
-                       (through0 == through1 && std::min(p[0], p[2]) < std::min(p[1], p[3]));
+    // Of two equally good diagonals the one at the first corner by place, so that the order of the
+    // file does not matter.
+    const auto before = [this](std::uint32_t a, std::uint32_t b) {
+      const double *x = &soup_.positions[3 * std::size_t{a}],
+                   *y = &soup_.positions[3 * std::size_t{b}];
+      return std::lexicographical_compare(x, x + 3, y, y + 3);
+    };
+    const std::uint32_t of0 = before(p[0], p[2]) ? p[0] : p[2],
+                        of1 = before(p[1], p[3]) ? p[1] : p[3];
+    const bool first = through0 > through1 || (through0 == through1 && before(of0, of1));
     if (first) {
       emit(p[0], p[1], p[2]);
       emit(p[0], p[2], p[3]);

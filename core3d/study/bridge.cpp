@@ -249,14 +249,7 @@ std::vector<BridgeSeries> measureBridge(const BridgePrediction& prediction,
       if (options.progress) options.progress(done / work);
     }
   }
-  for (BridgeSeries& series : all) {
-    std::vector<double> edges, distances;
-    for (const BridgeRow& row : series.rows) {
-      edges.push_back(row.edge);
-      distances.push_back(row.ridges.medianEdges * row.edge);
-    }
-    series.order = fittedOrder(edges, distances);
-  }
+  for (BridgeSeries& series : all) series.order = orderOf(convergenceOf(series).rows);
   return all;
 }
 

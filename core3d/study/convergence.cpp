@@ -64,6 +64,16 @@ std::optional<double> fittedOrder(const std::vector<double>& x, const std::vecto
   return products / squares;
 }
 
+std::optional<double> orderOf(const std::vector<ConvergenceRow>& rows) {
+  std::vector<double> edges, distances;
+  for (const ConvergenceRow& row : rows) {
+    if (std::max(row.strayShare, row.missedShare) > kLargestStrayShare) continue;
+    edges.push_back(row.edge);
+    distances.push_back(row.medianEdges * row.edge);
+  }
+  return fittedOrder(edges, distances);
+}
+
 std::vector<ConvergenceSeries> measureConvergence(const ConvergenceOptions& options) {
   const KnownRidges known(options.subject, options.seed);
   std::vector<ConvergenceSeries> all;
@@ -99,15 +109,7 @@ std::vector<ConvergenceSeries> measureConvergence(const ConvergenceOptions& opti
       if (options.progress) options.progress(done / work);
     }
   }
-  for (ConvergenceSeries& series : all) {
-    std::vector<double> edges, distances;
-    for (const ConvergenceRow& row : series.rows) {
-      if (std::max(row.strayShare, row.missedShare) > kLargestStrayShare) continue;
-      edges.push_back(row.edge);
-      distances.push_back(row.medianEdges * row.edge);
-    }
-    series.order = fittedOrder(edges, distances);
-  }
+  for (ConvergenceSeries& series : all) series.order = orderOf(series.rows);
   return all;
 }
 

@@ -52,6 +52,9 @@ struct ConvergenceSeries {
   std::optional<double> order;
 };
 
+/// ConvergenceSeries::order of rows.
+std::optional<double> orderOf(const std::vector<ConvergenceRow>& rows);
+
 /// All four series; empty if stopped. Time grows with the square of the cells: seconds for 200.
 std::vector<ConvergenceSeries> measureConvergence(const ConvergenceOptions& options);
 

@@ -150,9 +150,24 @@ TEST(BuildMesh, TheMapsLeadBackToTheFile) {
 
 TEST(BuildMesh, TheOrderOfTheFileDoesNotMatter) {
   Random random(announcedSeed("order", 3));
-  for (const Solid& solid : standardSolids()) {
-    SCOPED_TRACE(solid.name());
-    const PolygonSoup soup = meshOf(solid, {.cells = 9, .irregular = true}).soup;
+  std::vector<PolygonSoup> soups;
+  for (const Solid& solid : standardSolids())
+    soups.push_back(meshOf(solid, {.cells = 9, .irregular = true}).soup);
+  // Squares, whose diagonals are equally good, and a sheet that is there twice, wound both ways.
+  soups.push_back(cube(0, 0, 0));
+  PolygonSoup doubled;
+  for (int i = 0; i < 49; ++i) doubled.addVertex(i % 7, i / 7, 0.1 * (i % 3));
+  for (const bool down : {false, true}) {
+    for (std::uint32_t i = 0; i < 42; ++i) {
+      if (i % 7 == 6) continue;
+      std::array<std::uint32_t, 4> square = {i, i + 1, i + 8, i + 7};
+      if (down) std::reverse(square.begin(), square.end());
+      doubled.addPolygon(square);
+    }
+  }
+  soups.push_back(doubled);
+  for (const PolygonSoup& soup : soups) {
+    SCOPED_TRACE(&soup - soups.data());
     const TriangleMesh first = buildMesh(soup).mesh;
     for (int i = 0; i < 3; ++i) {
       const TriangleMesh other = buildMesh(shuffled(soup, random)).mesh;
