@@ -45,10 +45,7 @@ class Looker {
       : sight_(sight), projection_(projection), view_(projection.view()), outlines_(outlines) {}
 
   Seen look(const ScreenChain& line, const ScreenChain::Point& p) {
-    const std::uint32_t other = line.chain.otherOf(p.piece);
-    const bool interpolated = other == TriangleMesh::kNone && !followsTheMesh(line.chain.family);
-    const SightPoint point{p.at, line.chain.triangles[p.piece], interpolated, other,
-                           line.chain.family == LineFamily::OccludingContours};
+    const SightPoint point = pointOf(line, p);
     const double px = unitsPerPx(p.at);
     ++rays_;
     const bool hidden =
@@ -63,8 +60,7 @@ class Looker {
   bool isWholeOutline(const ScreenChain& line) {
     for (double place = 0.5; place < line.length() + 0.5; place += 1.0) {
       const ScreenChain::Point p = line.at(place);
-      const SightPoint point{p.at, line.chain.triangles[p.piece], true};
-      if (!isOutline(line, p, point, kBesidePx * unitsPerPx(p.at))) return false;
+      if (!isOutline(line, p, pointOf(line, p), kBesidePx * unitsPerPx(p.at))) return false;
     }
     return true;
   }
@@ -72,6 +68,13 @@ class Looker {
   std::size_t rays() const { return rays_; }
 
  private:
+  static SightPoint pointOf(const ScreenChain& line, const ScreenChain::Point& p) {
+    const std::uint32_t other = line.chain.otherOf(p.piece);
+    const bool interpolated = other == TriangleMesh::kNone && !followsTheMesh(line.chain.family);
+    return {p.at, line.chain.triangles[p.piece], interpolated, other,
+            line.chain.family == LineFamily::OccludingContours};
+  }
+
   double unitsPerPx(const Vector3d& at) const {
     double scale = projection_.pxPerUnit;
     if (projection_.distance) {
@@ -87,12 +90,12 @@ class Looker {
     return sight_.empty(point, point.at + step, view_);
   }
 
-  // A contour has the surface on one side, so background can only be where its normal points; a
-  // boundary may have it on either side.
+  // A contour has the surface on one side, so background can only be where its normal points; along
+  // a sharp edge that says nothing, and a boundary may have it on either side.
   bool isOutline(const ScreenChain& line, const ScreenChain::Point& p, const SightPoint& point,
                  double distance) {
     const Vector3d w = view_.towardsViewer(p.at);
-    if (line.chain.family == LineFamily::OccludingContours) {
+    if (point.interpolated) {
       const Vector3d n = sight_.outwardAt(point, view_);
       return emptyBeside(point, distance * (n - n.dot(w) * w).stableNormalized());
     }
@@ -149,13 +152,14 @@ std::vector<Stretch> gapsAlong(const ScreenChain& line, const Stretch& covered,
 // Where a mesh is rough or coarse, facets stick out over the interpolated contour that is its
 // outline, and hide it. Where no other line is drawn along the outline, what is covered is taken
 // `as` seen, the longest first; the rest is hidden.
-void closeOutlines(std::vector<SeenChain>& chains, const Projection& projection, Seen as,
-                   double smallestGapPx) {
+void closeOutlines(std::vector<SeenChain>& chains, const Projection& projection,
+                   const LineOptions& lines, double smallestGapPx) {
   struct Covered {
     std::size_t chain;
     Stretch stretch;
     std::vector<Stretch> gaps = {};
   };
+  const Seen as = lines[LineFamily::ExteriorSilhouette] ? Seen::Outline : Seen::Visible;
   InkRaster drawn(projection.width, projection.height);
   std::vector<Covered> all;
   for (std::size_t i = 0; i < chains.size(); ++i) {
@@ -163,7 +167,7 @@ void closeOutlines(std::vector<SeenChain>& chains, const Projection& projection,
     if (!mayBeOutline(line.chain.family)) continue;
     for (const Stretch& s : chains[i].stretches) {
       if (s.seen == Seen::Covered) all.push_back({i, s});
-      if (s.seen == Seen::Visible || s.seen == Seen::Outline)
+      if (s.seen == Seen::Outline || (s.seen == Seen::Visible && lines[line.chain.family]))
         drawn.add(screenOf(line, s), false, 2.0 * kBesidePx);
     }
   }
@@ -222,9 +226,7 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
     rays += looker.rays();
   };
   runOnThreads(std::min(threadsFor(0), chains.size()), work);
-  closeOutlines(chains, projection,
-                lines[LineFamily::ExteriorSilhouette] ? Seen::Outline : Seen::Visible,
-                strokes.smallestGapPx);
+  closeOutlines(chains, projection, lines, strokes.smallestGapPx);
   return rays;
 }
 

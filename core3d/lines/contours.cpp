@@ -36,8 +36,8 @@ void addParts(const TriangleMesh& mesh, const TwoSides& sides, float strength, c
     const LineEnd end = i < count ? LineEnd{from + stops[i].t * way, strength, stops[i].node}
                                   : LineEnd{mesh.position(b), strength, vertexNode(b)};
     if (wanted(here, there)) {
-      out.push_back({begin, end, here ? h / 3 : other / 3});
-      if (here && there) out.back().other = other / 3;
+      const std::uint32_t front = here ? h : other;
+      out.push_back({begin, end, front / 3, 0, true, mesh.opposite[front] / 3});
     }
     if (i < count) (stops[i].ofHere ? here : there) ^= true;
     begin = end;
