@@ -15,8 +15,10 @@
 #include <utility>
 #include <vector>
 
+#include "core3d/draw/embree_error.h"
 #include "core3d/mesh/crease_angles.h"
 #include "core3d/mesh/pieces.h"
+#include "core3d/mesh/triangle_cross.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
@@ -52,12 +54,6 @@ struct SceneCloser {
 };
 using Device = std::unique_ptr<RTCDeviceTy, DeviceCloser>;
 using Scene = std::unique_ptr<RTCSceneTy, SceneCloser>;
-
-Vector3d crossOf(const TriangleMesh& mesh, std::uint32_t t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  const Vector3d p = mesh.position(a).cast<double>();
-  return (mesh.position(b).cast<double>() - p).cross(mesh.position(c).cast<double>() - p);
-}
 
 bool shareVertex(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
   for (const std::uint32_t v : mesh.triangles[s]) {
@@ -219,7 +215,10 @@ struct Sight::State {
 Sight::Sight(const TriangleMesh& mesh, const SurfaceFields& fields)
     : state_(new State{&mesh, &fields, Folds(mesh), Sheets(mesh), {}, {}}) {
   state_->device.reset(rtcNewDevice(nullptr));
-  if (!state_->device) throw std::runtime_error("Embree does not start");
+  if (!state_->device) {
+    throwIfFailed(rtcGetDeviceError(nullptr));
+    throw std::runtime_error("Embree, which casts rays, does not start");
+  }
   const RTCDevice device = state_->device.get();
   state_->scene.reset(rtcNewScene(device));
   rtcSetSceneFlags(state_->scene.get(), RTC_SCENE_FLAG_ROBUST);
@@ -229,6 +228,7 @@ Sight::Sight(const TriangleMesh& mesh, const SurfaceFields& fields)
                               3 * sizeof(float), mesh.vertexCount()));
   if (positions == nullptr) {
     rtcReleaseGeometry(geometry);
+    throwIfFailed(rtcGetDeviceError(device));
     throw std::bad_alloc();
   }
   for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
@@ -244,7 +244,7 @@ Sight::Sight(const TriangleMesh& mesh, const SurfaceFields& fields)
   rtcAttachGeometry(state_->scene.get(), geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(state_->scene.get());
-  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
+  throwIfFailed(rtcGetDeviceError(device));
 }
 
 Sight::~Sight() = default;

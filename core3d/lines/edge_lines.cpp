@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core3d/lines/families.h"
+#include "core3d/mesh/triangle_cross.h"
 
 namespace flatland {
 namespace {
@@ -20,19 +21,13 @@ LineSegment edgeOf(const TriangleMesh& mesh, std::uint32_t halfEdge, float stren
           mesh.hasOpposite(halfEdge) ? mesh.opposite[halfEdge] / 3 : TriangleMesh::kNone};
 }
 
-Eigen::Vector3d areaVector(const TriangleMesh& mesh, std::uint32_t triangle) {
-  const auto& v = mesh.triangles[triangle];
-  const Eigen::Vector3d p = mesh.position(v[0]).cast<double>();
-  return (mesh.position(v[1]).cast<double>() - p).cross(mesh.position(v[2]).cast<double>() - p);
-}
-
 }  // namespace
 
 Segments findCreases(const TriangleMesh& mesh, double leastDeg) {
   Segments out;
   for (std::uint32_t h = 0; h < mesh.opposite.size(); ++h) {
     if (!mesh.hasOpposite(h) || mesh.opposite[h] < h) continue;
-    const Eigen::Vector3d a = areaVector(mesh, h / 3), b = areaVector(mesh, mesh.opposite[h] / 3);
+    const Eigen::Vector3d a = crossOf(mesh, h / 3), b = crossOf(mesh, mesh.opposite[h] / 3);
     // 0 where one of them is flat: it has no direction.
     const double angleRad = std::atan2(a.cross(b).norm(), a.dot(b));
     const double angleDeg = angleRad * 180.0 / std::numbers::pi;

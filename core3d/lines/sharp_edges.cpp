@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core3d/mesh/crease_angles.h"
+#include "core3d/mesh/triangle_cross.h"
 
 namespace flatland {
 namespace {
@@ -38,10 +39,7 @@ class Finder {
  public:
   explicit Finder(const TriangleMesh& mesh) : mesh_(mesh), normals_(mesh.triangleCount()) {
     for (std::uint32_t t = 0; t < normals_.size(); ++t) {
-      const auto& v = mesh.triangles[t];
-      const Vector3f p = mesh.position(v[0]);
-      normals_[t] = (mesh.position(v[1]) - p).cross(mesh.position(v[2]) - p).stableNormalized();
-      if (!normals_[t].allFinite()) normals_[t].setZero();
+      normals_[t] = crossOf(mesh, t).stableNormalized().cast<float>();
     }
   }
 
