@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core3d/draw/embree_error.h"
 
+#include <embree3/rtcore.h>
+
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -8,7 +10,7 @@
 namespace flatland {
 namespace {
 
-const char* textOf(RTCError error) {
+const char* textOf(int error) {
   switch (error) {
     case RTC_ERROR_INVALID_ARGUMENT:
       return "invalid argument";
@@ -25,7 +27,7 @@ const char* textOf(RTCError error) {
 
 }  // namespace
 
-void throwIfFailed(RTCError error) {
+void throwIfFailed(int error) {
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   throw std::runtime_error(std::string("Embree, which casts rays: ") + textOf(error));

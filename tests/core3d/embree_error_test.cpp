@@ -2,6 +2,7 @@
 // What is said when rays cannot be cast, by errors that Embree is led into.
 #include "core3d/draw/embree_error.h"
 
+#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
 #include <cstddef>
