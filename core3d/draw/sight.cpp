@@ -10,19 +10,13 @@
 #include <limits>
 #include <set>
 #include <span>
-#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "core3d/draw/embree_error.h"
 #include "core3d/mesh/crease_angles.h"
 #include "core3d/mesh/pieces.h"
 #include "core3d/mesh/triangle_cross.h"
-
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 namespace flatland {
 namespace {
@@ -45,15 +39,6 @@ const double kCreasedCosine = cosineOfDeg(kCreaseDeg);
 constexpr double kLeastOpening = 0.125;
 // Far outside of every mesh, whose coordinates lie in [-1, 1].
 constexpr double kFarOutside = 8.0;
-
-struct DeviceCloser {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct SceneCloser {
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using Device = std::unique_ptr<RTCDeviceTy, DeviceCloser>;
-using Scene = std::unique_ptr<RTCSceneTy, SceneCloser>;
 
 bool shareVertex(const TriangleMesh& mesh, std::uint32_t s, std::uint32_t t) {
   for (const std::uint32_t v : mesh.triangles[s]) {
@@ -189,13 +174,14 @@ struct Sight::State {
   const SurfaceFields* fields;
   Folds folds;
   Sheets sheets;
-  Device device;
-  Scene scene;
+  std::optional<MeshPlaces> own;  // unless it is lent
+  RTCScene scene;
 
   // True if a counting hit lies on the ray between near and far.
   bool hits(const Vector3d& origin, const Vector3d& direction, float near, float far,
             Context& context) const {
     rtcInitIntersectContext(&context.embree);
+    context.embree.filter = ignoreOwn;
     RTCRay ray{};
     const Eigen::Vector3f o = origin.cast<float>(), d = direction.cast<float>();
     ray.org_x = o.x();
@@ -207,45 +193,23 @@ struct Sight::State {
     ray.tnear = near;
     ray.tfar = far;
     ray.mask = 0xffffffff;
-    rtcOccluded1(scene.get(), &context.embree, &ray);
+    rtcOccluded1(scene, &context.embree, &ray);
     return ray.tfar < 0.0f;
   }
 };
 
 Sight::Sight(const TriangleMesh& mesh, const SurfaceFields& fields)
-    : state_(new State{&mesh, &fields, Folds(mesh), Sheets(mesh), {}, {}}) {
-  state_->device.reset(rtcNewDevice(nullptr));
-  if (!state_->device) {
-    throwIfFailed(rtcGetDeviceError(nullptr));
-    throw std::runtime_error("Embree, which casts rays, does not start");
-  }
-  const RTCDevice device = state_->device.get();
-  state_->scene.reset(rtcNewScene(device));
-  rtcSetSceneFlags(state_->scene.get(), RTC_SCENE_FLAG_ROBUST);
-  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* positions = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                              3 * sizeof(float), mesh.vertexCount()));
-  if (positions == nullptr) {
-    rtcReleaseGeometry(geometry);
-    throwIfFailed(rtcGetDeviceError(device));
-    throw std::bad_alloc();
-  }
-  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    positions[3 * v] = mesh.x[v];
-    positions[3 * v + 1] = mesh.y[v];
-    positions[3 * v + 2] = mesh.z[v];
-  }
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
-                             mesh.triangleCount());
-  rtcSetGeometryOccludedFilterFunction(geometry, ignoreOwn);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(state_->scene.get(), geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(state_->scene.get());
-  throwIfFailed(rtcGetDeviceError(device));
+    : state_(new State{&mesh, &fields, Folds(mesh), Sheets(mesh), MeshPlaces(mesh), {}}) {
+  state_->scene = state_->own->scene();
 }
+
+Sight::Sight(const MeshPlaces& places, const SurfaceFields& fields)
+    : state_(new State{&places.mesh(),
+                       &fields,
+                       Folds(places.mesh()),
+                       Sheets(places.mesh()),
+                       {},
+                       places.scene()}) {}
 
 Sight::~Sight() = default;
 Sight::Sight(Sight&&) noexcept = default;
@@ -324,16 +288,5 @@ bool Sight::empty(const SightPoint& point, const Vector3d& beside, const Surface
   context.foldReach = std::numeric_limits<float>::infinity();
   return !state_->hits(origin, direction, 0.0f, std::numeric_limits<float>::infinity(), context);
 }
-
-#if defined(__SSE__)
-FlushDenormals::FlushDenormals() : before_(_mm_getcsr()) {
-  constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
-  _mm_setcsr(before_ | kFlushToZero | kDenormalsAreZero);
-}
-FlushDenormals::~FlushDenormals() { _mm_setcsr(before_); }
-#else
-FlushDenormals::FlushDenormals() = default;
-FlushDenormals::~FlushDenormals() = default;
-#endif
 
 }  // namespace flatland

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core3d/diff/surface_fields.h"
+#include "core3d/lines/mesh_places.h"
 #include "core3d/lines/surface_view.h"
 #include "core3d/mesh/triangle_mesh.h"
 
@@ -36,11 +37,12 @@ struct SightPoint {
 /// Besides, the ray starts a little off the surface, on the viewer's side: by `offset` along its
 /// normal, or so far from both sheets, but no farther than four times as much.
 ///
-/// The structure for rays is built once, 0.5 to 1 microseconds a triangle. `mesh` and `fields` must
-/// outlive it. Asking is const and may be done by several threads, each with a FlushDenormals.
+/// The structure for rays is built once (MeshPlaces), or lent. Whatever is given must outlive it.
+/// Asking is const and may be done by several threads, each with a FlushDenormals.
 class Sight {
  public:
   Sight(const TriangleMesh& mesh, const SurfaceFields& fields);
+  Sight(const MeshPlaces& places, const SurfaceFields& fields);
   ~Sight();
   Sight(Sight&&) noexcept;
   Sight& operator=(Sight&&) noexcept;
@@ -63,19 +65,6 @@ class Sight {
  private:
   struct State;
   std::unique_ptr<State> state_;
-};
-
-/// Makes the processor treat the smallest numbers as 0 in this thread while it lives, as Embree
-/// asks for.
-class FlushDenormals {
- public:
-  FlushDenormals();
-  ~FlushDenormals();
-  FlushDenormals(const FlushDenormals&) = delete;
-  FlushDenormals& operator=(const FlushDenormals&) = delete;
-
- private:
-  unsigned before_ = 0;
 };
 
 }  // namespace flatland

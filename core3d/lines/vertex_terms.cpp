@@ -42,31 +42,4 @@ std::uint32_t SurfaceHit::nearestVertex(const TriangleMesh& mesh) const {
   return mesh.triangles[triangle][static_cast<std::size_t>(largest)];
 }
 
-std::optional<SurfaceHit> firstHit(const TriangleMesh& mesh, const Eigen::Vector3d& from,
-                                   const Eigen::Vector3d& along, bool wholeLine) {
-  std::optional<SurfaceHit> hit;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    const auto& corners = mesh.triangles[t];
-    const Eigen::Vector3d a = mesh.position(corners[0]).cast<double>();
-    const Eigen::Vector3d ab = mesh.position(corners[1]).cast<double>() - a;
-    const Eigen::Vector3d ac = mesh.position(corners[2]).cast<double>() - a;
-    // from + s along = a + u ab + v ac, by Cramer's rule.
-    const Eigen::Vector3d across = along.cross(ac);
-    const double volume = ab.dot(across);
-    if (volume == 0.0) continue;
-    const Eigen::Vector3d away = from - a;
-    const double u = away.dot(across) / volume;
-    if (!(u >= 0.0 && u <= 1.0)) continue;
-    const Eigen::Vector3d turned = away.cross(ab);
-    const double v = along.dot(turned) / volume;
-    if (!(v >= 0.0 && u + v <= 1.0)) continue;
-    const double s = ac.dot(turned) / volume;
-    if (s >= nearest || (!wholeLine && s <= 0.0)) continue;
-    nearest = s;
-    hit = SurfaceHit{t, {1.0 - u - v, u, v}, from + s * along};
-  }
-  return hit;
-}
-
 }  // namespace flatland

@@ -43,10 +43,4 @@ struct SurfaceHit {
   std::uint32_t nearestVertex(const TriangleMesh& mesh) const;
 };
 
-/// The nearest hit in front of `from` along the unit vector `along`; for an orthographic view, from
-/// where `from` is any point of the line, give `wholeLine`. Tries every triangle: some nanoseconds
-/// each, for a pointer and not for pictures.
-std::optional<SurfaceHit> firstHit(const TriangleMesh& mesh, const Eigen::Vector3d& from,
-                                   const Eigen::Vector3d& along, bool wholeLine);
-
 }  // namespace flatland

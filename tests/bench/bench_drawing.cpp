@@ -3,12 +3,14 @@
 // mesh.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 
 #include "core3d/diff/exact_fields.h"
 #include "core3d/draw/chains.h"
 #include "core3d/draw/compose.h"
+#include "core3d/lines/mesh_places.h"
 #include "core3d/mesh/build_mesh.h"
 #include "core3d/mesh/solids.h"
 #include "tests/core3d/contours.h"
@@ -58,6 +60,31 @@ void buildSight(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(Sight(bumpy.mesh, bumpy.fields));
 }
 BENCHMARK(buildSight)->Arg(50)->Arg(150)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// What is under a pointer that wanders over the picture.
+void firstHit(benchmark::State& state) {
+  const Bumpy& bumpy = Bumpy::of(state);
+  const MeshPlaces places(bumpy.mesh);
+  double angle = 0.0;
+  for (auto _ : state) {
+    angle += 0.1;
+    const Eigen::Vector3d from(0.9 * std::cos(angle), 0.7 * std::sin(1.7 * angle), 2.0);
+    benchmark::DoNotOptimize(places.firstHit(from, -Eigen::Vector3d::UnitZ(), true));
+  }
+}
+BENCHMARK(firstHit)->Arg(50)->Arg(150)->Arg(300)->Unit(benchmark::kMicrosecond);
+
+// A place of the surface before it moved a little.
+void nearestPlace(benchmark::State& state) {
+  const Bumpy& bumpy = Bumpy::of(state);
+  const MeshPlaces places(bumpy.mesh);
+  std::uint32_t vertex = 0;
+  for (auto _ : state) {
+    vertex = (vertex + 37) % bumpy.mesh.vertexCount();
+    benchmark::DoNotOptimize(places.nearest(1.01 * bumpy.mesh.position(vertex).cast<double>()));
+  }
+}
+BENCHMARK(nearestPlace)->Arg(50)->Arg(150)->Arg(300)->Unit(benchmark::kMicrosecond);
 
 void compose(benchmark::State& state) {
   const Bumpy& bumpy = Bumpy::of(state);

@@ -87,25 +87,5 @@ TEST(VertexTerms, TheSumIsHalfTheDerivativeOfLambdaAlongR) {
   EXPECT_GT(compared, 100);
 }
 
-TEST(FirstHit, OfASphereIsItsNearSide) {
-  const Case c = caseOf({SolidKind::Sphere, 1.0}, 24);
-  for (int i = 0; i < 50; ++i) {
-    const double angle = 0.7 * i, tilt = std::sin(1.3 * i);
-    const Eigen::Vector3d w = Eigen::Vector3d(std::cos(angle), std::sin(angle), tilt).normalized();
-    const Eigen::Vector3d side = w.unitOrthogonal() * (0.017 * i);  // up to 0.83 of the radius
-    const auto hit = firstHit(c.mesh, side, -w, true);
-    ASSERT_TRUE(hit) << i;
-    EXPECT_NEAR(hit->at.norm(), 1.0, 0.02);
-    EXPECT_NEAR(hit->at.dot(w), std::sqrt(1.0 - side.squaredNorm()), 0.02);
-    EXPECT_NEAR(hit->weights[0] + hit->weights[1] + hit->weights[2], 1.0, 1e-12);
-    EXPECT_LT((c.mesh.position(hit->nearestVertex(c.mesh)).cast<double>() - hit->at).norm(), 0.1);
-    // From the middle on only what lies ahead counts: the far side.
-    const auto ahead = firstHit(c.mesh, side, -w, false);
-    ASSERT_TRUE(ahead);
-    EXPECT_NEAR(ahead->at.dot(w), -std::sqrt(1.0 - side.squaredNorm()), 0.02);
-    EXPECT_FALSE(firstHit(c.mesh, 1.1 * w.unitOrthogonal(), -w, true));
-  }
-}
-
 }  // namespace
 }  // namespace flatland::test

@@ -33,6 +33,16 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
+/// What a place is looked for by, with the mesh that it needs.
+std::shared_ptr<const MeshPlaces> placesOf(const std::shared_ptr<const TriangleMesh>& mesh) {
+  struct Kept {
+    std::shared_ptr<const TriangleMesh> mesh;
+    MeshPlaces places;
+  };
+  const auto kept = std::make_shared<const Kept>(Kept{mesh, MeshPlaces(*mesh)});
+  return {kept, &kept->places};
+}
+
 LoadedSurface readyToShow(const std::string& reference, BuiltMesh built, Clock::time_point start) {
   LoadedSurface surface;
   surface.reference = reference;
@@ -40,6 +50,7 @@ LoadedSurface readyToShow(const std::string& reference, BuiltMesh built, Clock::
   surface.ballRadius = ballRadiusOf(built.mesh);
   surface.report = std::move(built.report);
   surface.mesh = std::make_shared<const TriangleMesh>(std::move(built.mesh));
+  surface.places = placesOf(surface.mesh);
   surface.loadMs = millisecondsSince(start);
   return surface;
 }

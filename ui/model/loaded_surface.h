@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core3d/diff/surface_fields.h"
+#include "core3d/lines/mesh_places.h"
 #include "core3d/mesh/mesh_report.h"
 #include "core3d/mesh/triangle_mesh.h"
 #include "core3d/study/bridge_lines.h"
@@ -26,6 +27,7 @@ struct SweptOrigin {
 struct LoadedSurface {
   std::string reference;  ///< as in SurfaceSetting::mesh
   std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const MeshPlaces> places;  ///< of `mesh`, which lives as long
   MeshReport report;
   std::vector<Eigen::Vector3f> normals;  ///< per vertex, by area of the triangles; for shading
   double ballRadius = 1.0;               ///< of the ball about 0 that holds the mesh

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core3d/lines/vertex_terms.h"
 #include "core3d/study/line_distances.h"
 #include "ui/model/cutting_plane.h"
 
@@ -84,10 +83,10 @@ void addMarks(SectionView& view) {
   view.marks = compareSection(view.section, *surface.mesh, *surface.fields, from,
                               view.seen->compared.get()->of(LineFamily::ApparentRidges));
   for (const SectionMark& mark : view.marks.marks) {
-    view.seenMarks.push_back(isSeen(*surface.mesh, from, mark.at));
+    view.seenMarks.push_back(isSeen(surface, from, mark.at));
   }
   for (const CrossedRidge& ridge : view.marks.ridges) {
-    view.seenRidges.push_back(isSeen(*surface.mesh, from, ridge.at));
+    view.seenRidges.push_back(isSeen(surface, from, ridge.at));
   }
   view.pairs = pairsOf(view.marks, surface);
 }
@@ -114,11 +113,11 @@ double strengthOf(const SectionMark& mark, const LoadedSurface& surface) {
   return std::sqrt(*mark.mark.lambda) * surface.mesh->unit * surface.fields->size;
 }
 
-bool isSeen(const TriangleMesh& mesh, const SurfaceView& view, const Eigen::Vector3d& inFile) {
+bool isSeen(const LoadedSurface& surface, const SurfaceView& view, const Eigen::Vector3d& inFile) {
+  const TriangleMesh& mesh = *surface.mesh;
   const Eigen::Vector3d at = (inFile - mesh.origin) / mesh.unit;
   const Eigen::Vector3d w = view.towardsViewer(at);
-  const auto hit = firstHit(mesh, at + kBefore * w, w, false);
-  return !hit;
+  return !surface.places->firstHit(at + kBefore * w, w, false);
 }
 
 SectionSource::SectionSource(const Document& document, const SurfaceSource& source,

@@ -41,9 +41,8 @@ struct SectionView {
 /// What LineEnd::strength would be at a mark of the section. 0 without lambda.
 double strengthOf(const SectionMark& mark, const LoadedSurface& surface);
 
-/// True if nothing of the surface stands before a place of it, in the unit of the file. Tries every
-/// triangle.
-bool isSeen(const TriangleMesh& mesh, const SurfaceView& view, const Eigen::Vector3d& inFile);
+/// True if nothing of the surface stands before a place of it, in the unit of the file.
+bool isSeen(const LoadedSurface& surface, const SurfaceView& view, const Eigen::Vector3d& inFile);
 
 /// Cuts and fits beside the window's thread whenever plane, surface or view change, the newest
 /// there are, so that the section follows the hand.

@@ -86,7 +86,7 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
                                                   wanted.aspect * kHeightPx, kHeightPx);
     const SurfaceView& view = seen->view = projection.view();
     if (!finder) finder.emplace(*surface->mesh, *surface->fields);
-    if (wanted.sight && !sight) sight.emplace(*surface->mesh, *surface->fields);
+    if (wanted.sight && !sight) sight.emplace(*surface->places, *surface->fields);
     const auto start = Clock::now();
     seen->found = find(wanted.lines);
     const StrokeLines strokes = strokesOf(*seen->found, wanted.lines, wanted.sight, projection);

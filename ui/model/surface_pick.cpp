@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/surface_pick.h"
 
-#include "core3d/lines/nearest_place.h"
-
 namespace flatland::ui {
 
 namespace {
@@ -16,11 +14,11 @@ SurfaceHit placeIn(const TriangleMesh& mesh, std::uint32_t triangle,
   return hit;
 }
 
-/// The place of a mesh nearest to one of another mesh of the same file.
-std::optional<SurfaceHit> movedTo(const TriangleMesh& mesh, const TriangleMesh& from,
+/// The place of a surface nearest to one of another mesh of the same file.
+std::optional<SurfaceHit> movedTo(const LoadedSurface& surface, const TriangleMesh& from,
                                   const SurfaceHit& hit) {
   const Eigen::Vector3d inFile = from.origin + from.unit * hit.at;
-  return nearestPlace(mesh, (inFile - mesh.origin) / mesh.unit);
+  return surface.places->nearest((inFile - surface.mesh->origin) / surface.mesh->unit);
 }
 
 bool same(const SurfaceHit& a, const SurfaceHit& b) {
@@ -77,7 +75,7 @@ void SurfacePick::follow() {
   if (!surface() || !isSameSurface(*surface(), *seen_)) {
     hit_.reset();
   } else if (surface()->mesh != seen_->mesh) {
-    hit_ = movedTo(*surface()->mesh, *seen_->mesh, *hit_);
+    hit_ = movedTo(*surface(), *seen_->mesh, *hit_);
   }
   seen_ = hit_ ? surface() : nullptr;
   emit changed();

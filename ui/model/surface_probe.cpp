@@ -6,7 +6,7 @@ namespace flatland::ui {
 std::optional<SurfaceHit> hitAt(const LoadedSurface& surface, const Projection& projection,
                                 const Eigen::Vector2d& px) {
   const Sight sight = sightThrough(projection, px);
-  return firstHit(*surface.mesh, sight.from, sight.along, !projection.distance.has_value());
+  return surface.places->firstHit(sight.from, sight.along, !projection.distance.has_value());
 }
 
 std::optional<SurfaceReading> readingAt(const LoadedSurface& surface, const Projection& projection,

@@ -19,8 +19,7 @@ struct SurfaceReading {
   std::optional<SurfaceTerms> terms;  ///< empty before fields are there, or without a normal
 };
 
-/// The place of the surface under a pixel; nothing where the background is seen. Tries every
-/// triangle, see firstHit().
+/// The place of the surface under a pixel; nothing where the background is seen.
 std::optional<SurfaceHit> hitAt(const LoadedSurface& surface, const Projection& projection,
                                 const Eigen::Vector2d& px);
 

@@ -74,11 +74,12 @@ std::vector<bool> seenSpots(const SectionView& section) {
 }
 
 std::vector<bool> seenSpots(const SectionView& section, const SurfaceView& view) {
-  const TriangleMesh& mesh = *section.surface->mesh;
+  const LoadedSurface& surface = *section.surface;
   std::vector<bool> seen;
-  for (const SectionMark& mark : section.marks.marks) seen.push_back(isSeen(mesh, view, mark.at));
+  for (const SectionMark& mark : section.marks.marks)
+    seen.push_back(isSeen(surface, view, mark.at));
   for (const CrossedRidge& ridge : section.marks.ridges) {
-    seen.push_back(isSeen(mesh, view, ridge.at));
+    seen.push_back(isSeen(surface, view, ridge.at));
   }
   return seen;
 }

@@ -23,8 +23,7 @@ std::vector<SectionSpot> sectionSpots(const SectionView& section, const std::vec
                                       const Projection& projection, MarkKinds kinds,
                                       Palette palette, double scale);
 
-/// `seen` of sectionSpots() as the first view sees it, and as another one does: by trying every
-/// triangle for each.
+/// `seen` of sectionSpots() as the first view sees it, and as another one does: by a ray for each.
 std::vector<bool> seenSpots(const SectionView& section);
 std::vector<bool> seenSpots(const SectionView& section, const SurfaceView& view);
 
