@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core3d/diff/surface_fields.h"
-#include "core3d/lines/mesh_places.h"
+#include "core3d/draw/mesh_places.h"
 #include "core3d/lines/surface_view.h"
 #include "core3d/mesh/triangle_mesh.h"
 

@@ -10,7 +10,7 @@
 #include "core3d/diff/exact_fields.h"
 #include "core3d/draw/chains.h"
 #include "core3d/draw/compose.h"
-#include "core3d/lines/mesh_places.h"
+#include "core3d/draw/mesh_places.h"
 #include "core3d/mesh/build_mesh.h"
 #include "core3d/mesh/solids.h"
 #include "tests/core3d/contours.h"
@@ -80,7 +80,7 @@ void nearestPlace(benchmark::State& state) {
   const MeshPlaces places(bumpy.mesh);
   std::uint32_t vertex = 0;
   for (auto _ : state) {
-    vertex = (vertex + 37) % bumpy.mesh.vertexCount();
+    vertex = (vertex + 37) % static_cast<std::uint32_t>(bumpy.mesh.vertexCount());
     benchmark::DoNotOptimize(places.nearest(1.01 * bumpy.mesh.position(vertex).cast<double>()));
   }
 }

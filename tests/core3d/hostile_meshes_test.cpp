@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <ctime>
+#include <fstream>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,18 @@ const Reader kStl = [](const std::string& bytes) { return readStl(bytes, "file")
 const Reader kOff = [](const std::string& bytes) { return readOff(bytes, "file"); };
 const Reader kGltf = [](const std::string& bytes) { return readGltf(bytes, "file", ""); };
 
+// Every reason stands in tests/data/mesh_reasons.txt, by which the window's translations are
+// tested.
+void expectListed(const std::string& reason) {
+  static const std::set<std::string> kListed = [] {
+    std::set<std::string> lines;
+    std::ifstream file(FLATLAND_TEST_DATA "/mesh_reasons.txt");
+    for (std::string line; std::getline(file, line);) lines.insert(line);
+    return lines;
+  }();
+  EXPECT_TRUE(kListed.contains(reason)) << "not in tests/data/mesh_reasons.txt: " << reason;
+}
+
 // "N" for a mesh of N triangles, else the message.
 std::string outcome(const Reader& read, const std::string& bytes) {
   const std::clock_t start = std::clock();
@@ -44,6 +58,7 @@ std::string outcome(const Reader& read, const std::string& bytes) {
     result = std::to_string(built.mesh.triangleCount());
   } catch (const InputError& error) {
     result = error.what();
+    expectListed(error.reason());
     EXPECT_EQ(result.rfind("file: ", 0), 0u) << result;
     for (const char c : result) EXPECT_TRUE(c >= ' ' && c <= '~') << result;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places of a mesh: against every triangle tried in double, and against closed forms.
-#include "core3d/lines/mesh_places.h"
+#include "core3d/draw/mesh_places.h"
 
 #include <gtest/gtest.h>
 
@@ -143,7 +143,7 @@ std::vector<TriangleMesh> meshes() {
 TEST(MeshPlaces, FirstHitsAreThoseOfTryingAll) {
   Random random(announcedSeed("first hits", 17));
   std::uniform_real_distribution<double> places(-1.2, 1.2);
-  int hits = 0, misses = 0;
+  int hits = 0, misses = 0, same = 0;
   for (const TriangleMesh& mesh : meshes()) {
     const MeshPlaces fast(mesh);
     for (int i = 0; i < 1000; ++i) {
@@ -160,12 +160,16 @@ TEST(MeshPlaces, FirstHitsAreThoseOfTryingAll) {
       // Along a grazing line places lie far apart: across it they must agree.
       const Vector3d apart = hit->at - known->at;
       EXPECT_LT(apart.cross(along).norm(), kFloatRay) << i;
-
+      if (hit->triangle == known->triangle) {
+        ++same;
+        EXPECT_LT(apart.norm(), 1e-9) << i;
+      }
       EXPECT_LT(std::abs(apart.dot(along)), 1e-3) << i;
     }
   }
   EXPECT_GT(hits, 1000);
   EXPECT_GT(misses, 300);
+  EXPECT_GT(same, hits - hits / 100);
 }
 
 TEST(MeshPlaces, NearestAreThoseOfTryingAll) {

@@ -156,19 +156,21 @@ void whenModal(
 /// Types a name into the file dialog that the next action opens, and accepts; before that, what
 /// happens while the dialog is open.
 inline void typeFileName(const QString& name, const std::function<void()>& meanwhile = {}) {
-  whenModal([name, meanwhile](QWidget& dialog) {
-    if (meanwhile) meanwhile();
-    auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
-    QVERIFY(edit);
-    edit->setText(name);  // keys would open the list of completions, which takes Return
-    const auto* buttons = dialog.findChild<QDialogButtonBox*>();
-    for (QAbstractButton* button : buttons->buttons()) {
-      if (buttons->buttonRole(button) != QDialogButtonBox::AcceptRole) continue;
-      QTest::mouseClick(button, Qt::LeftButton);
-      return;
-    }
-    QFAIL("no button to accept with");
-  });
+  whenModal(
+      [name, meanwhile](QWidget& dialog) {
+        if (meanwhile) meanwhile();
+        auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
+        QVERIFY(edit);
+        edit->setText(name);  // keys would open the list of completions, which takes Return
+        const auto* buttons = dialog.findChild<QDialogButtonBox*>();
+        for (QAbstractButton* button : buttons->buttons()) {
+          if (buttons->buttonRole(button) != QDialogButtonBox::AcceptRole) continue;
+          QTest::mouseClick(button, Qt::LeftButton);
+          return;
+        }
+        QFAIL("no button to accept with");
+      },
+      [](QWidget& dialog) { return dialog.findChild<QLineEdit*>("fileNameEdit") != nullptr; });
 }
 
 }  // namespace flatland::ui

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written of the surface and its views, from the real window.
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QProcess>
+#include <QRegularExpression>
 #include <QSignalSpy>
+#include <cmath>
 #include <set>
 
 #include "core3d/draw/draughtsman.h"
 #include "core3d/io/cameras_json.h"
 #include "tests/ui/support_window.h"
+#include "ui/app/export_settings.h"
 #include "ui/app/surface_controller.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/export/line_style.h"
 #include "ui/model/compare_presets.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
+#include "ui/view3d/surface_area.h"
 #include "ui/view3d/surface_figure.h"
 
 using namespace flatland;
@@ -48,8 +54,7 @@ class SurfaceExportTest : public QObject {
     driver_->trigger("surface.compare.families");
     QVERIFY(quiet());
     const QString svg = driver_->path("views.svg");
-    typeFileName(svg);
-    driver_->trigger("surface.export");
+    exportAs("svg", svg);
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(svg), kPatienceMs);
     const QByteArray text = textOf(svg);
     for (const char* id : {"view-1-contours-visible", "view-2-suggestive-contours-visible",
@@ -304,27 +309,208 @@ class SurfaceExportTest : public QObject {
     QCOMPARE(QImage(png).size(), QSize(320, 240));
   }
 
-  void aNameWithoutSuffixGetsThatOfTheFilter() {
-    const std::pair<const char*, const char*> cases[] = {
-        {"lines", ".svg"}, {"shade", ".png"}, {"curvature", ".ply"}, {"cameras", ".json"}};
-    int row = 0;
-    for (const auto& [name, suffix] : cases) {
-      typeFileName(driver_->path(name), [row] {
-        auto* types = QApplication::activeModalWidget()->findChild<QComboBox*>("fileTypeCombo");
-        QVERIFY(types);
-        for (int i = 0; i < row; ++i) QTest::keyClick(types, Qt::Key_Down);
-      });
-      driver_->trigger("surface.export");
-      QTRY_VERIFY2_WITH_TIMEOUT(QFile::exists(driver_->path(name) + suffix), name, kPatienceMs);
-      ++row;
+  void aNameWithoutSuffixGetsThatOfTheFormat() {
+    for (const char* suffix : {"svg", "tex", "png", "csv", "json"}) {
+      const QString name = driver_->path(QStringLiteral("of-") + suffix);
+      exportAs(suffix, name);
+      QTRY_VERIFY2_WITH_TIMEOUT(QFile::exists(name + "." + suffix), suffix, kPatienceMs);
     }
-    QVERIFY(!QImage(driver_->path("shade.png")).isNull());
+    QVERIFY(!QImage(driver_->path("of-png.png")).isNull());
+  }
+
+  void exportsHaveTheSizeAskedFor() {
+    const auto size = [](QWidget& dialog) {
+      chosen(dialog, "export.unit", static_cast<int>(ExportSettings::Unit::Centimetres));
+      dialog.findChild<QDoubleSpinBox*>("export.width")->setValue(12.7);
+      dialog.findChild<QDoubleSpinBox*>("export.height")->setValue(7.62);
+      dialog.findChild<QDoubleSpinBox*>("export.dpi")->setValue(200.0);
+    };
+    const QString png = driver_->path("size.png"), svg = driver_->path("size.svg");
+    exportAs("png", png, size);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(png), kPatienceMs);
+    const QImage image(png);
+    QCOMPARE(image.size(), QSize(1000, 600));
+    QCOMPARE(qRound(image.dotsPerMeterX() * 0.0254), 200);
+    exportAs("svg", svg, size);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(svg), kPatienceMs);
+    QVERIFY(textOf(svg).contains("width=\"480\" height=\"288\""));
+    // What was asked for is there the next time, in the shape of the panel.
+    const QSize panel = driver_->window().surfaceArea().viewsSize();
+    double width = 0.0, height = 0.0;
+    QString suffix;
+    whenModal([&](QWidget& dialog) {
+      width = dialog.findChild<QDoubleSpinBox*>("export.width")->value();
+      height = dialog.findChild<QDoubleSpinBox*>("export.height")->value();
+      suffix = dialog.findChild<QComboBox*>("export.format")->currentData().toString();
+      qobject_cast<QDialog*>(&dialog)->reject();
+    });
+    driver_->trigger("surface.export");
+    QCOMPARE(suffix, QStringLiteral("svg"));
+    QCOMPARE(width, 12.7);
+    QVERIFY(std::abs(height / width - 1.0 * panel.height() / panel.width()) < 0.01);
+  }
+
+  void coloursAreThoseAskedFor() {
+    for (const Palette palette : {Palette::Light, Palette::Dark, Palette::HighContrast}) {
+      const auto colours = [palette](QWidget& dialog) {
+        chosen(dialog, "export.colours", static_cast<int>(palette));
+      };
+      const Rgb ground = sceneColours(palette).background;
+      const QString png = driver_->path(QString::number(static_cast<int>(palette)) + ".png");
+      exportAs("png", png, colours);
+      QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(png), kPatienceMs);
+      QCOMPARE(QImage(png).pixel(2, 2), qRgb(ground.r, ground.g, ground.b));
+      const QString svg = driver_->path(QString::number(static_cast<int>(palette)) + ".svg");
+      exportAs("svg", svg, colours);
+      QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(svg), kPatienceMs);
+      QVERIFY(textOf(svg).contains("fill=\"" + QByteArray::fromStdString(toHex(ground)) + "\""));
+    }
+  }
+
+  /// The same picture with more pixels, not one with thinner lines.
+  void moreDotsPerInchAreFiner() {
+    SurfaceSetting setting = *driver_->scene().surface;
+    setting.style = "paper";
+    push(setting);
+    QImage images[2];
+    for (const double dpi : {96.0, 288.0}) {
+      const QString name = driver_->path(QString::number(dpi) + ".png");
+      driver_->window().surfaces().exporter().exportTo(name, {400, 300, dpi});
+      QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(name), kPatienceMs);
+      images[dpi > 100.0] = QImage(name);
+    }
+    QCOMPARE(images[1].size(), QSize(1200, 900));
+    double ink[2] = {};
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (int y = 0; y < images[i].height(); ++y) {
+        for (int x = 0; x < images[i].width(); ++x) {
+          ink[i] += 255 - qGray(images[i].pixel(x, y));
+        }
+      }
+      ink[i] /= 255.0 * images[i].width() * images[i].height();
+    }
+    QVERIFY(ink[0] > 0.002);
+    QVERIFY2(std::abs(ink[1] / ink[0] - 1.0) < 0.1,
+             qPrintable(QStringLiteral("%1 and %2").arg(ink[0]).arg(ink[1])));
+  }
+
+  void tooLargeAPictureIsRefused() {
+    SurfaceExporter& exporter = driver_->window().surfaces().exporter();
+    QSignalSpy failed(&exporter, &SurfaceExporter::failed);
+    const QString png = driver_->path("huge.png");
+    exporter.exportTo(png, {20000, 20000, 2400.0});
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, kPatienceMs);
+    QVERIFY(!QFile::exists(png));
+  }
+
+  /// The key of exports is that of the view worked with last.
+  void theKeyExportsTheViewWorkedWith() {
+    const auto asked = [this](QWidget& view) {
+      QString name;
+      QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(15, view.height() - 15));
+      driver_->window().activateWindow();
+      if (!QTest::qWaitForWindowActive(&driver_->window())) return name;
+      whenModal([&name](QWidget& dialog) {
+        name = dialog.objectName();
+        qobject_cast<QDialog*>(&dialog)->reject();
+      });
+      driver_->key(Qt::Key_E, Qt::ControlModifier);
+      return name;
+    };
+    QWidget& surface = *driver_->window().surfaceArea().canvas();
+    QCOMPARE(asked(surface), QStringLiteral("surface-export"));
+    QCOMPARE(asked(driver_->canvas()), QStringLiteral("export"));
+    QCOMPARE(asked(surface), QStringLiteral("surface-export"));
+    driver_->trigger("surface.close");
+    QCOMPARE(asked(driver_->canvas()), QStringLiteral("export"));
+  }
+
+  /// What an SVG says made it makes it.
+  void theCommandOfAPictureMakesItAgain_data() {
+    QTest::addColumn<QString>("style");
+    for (const char* style : {"usual", "hidden", "perspective", "unfiltered", "smooth"}) {
+      QTest::newRow(style) << QString(style);
+    }
+  }
+  void theCommandOfAPictureMakesItAgain() {
+    QFETCH(QString, style);
+    SurfaceSetting setting = *driver_->scene().surface;
+    setting.camera.towards = Eigen::Vector3d(0.3, -0.5, 0.8).normalized();
+    setting.camera.zoom = 1.3;
+    setting.camera.centre = Eigen::Vector3d(0.1, -0.05, 0.02);
+    if (style == "hidden") {
+      setting.hidden = "dashed";
+      SurfaceFamily isophotes = familyOf(setting, LineFamily::Isophotes);
+      isophotes.on = true;
+      setting = withFamily(std::move(setting), isophotes);
+      setting.isophotes = 4;
+    }
+    if (style == "perspective") setting.camera.perspectiveDeg = 35.0;
+    if (style == "unfiltered") setting.unfiltered = true;
+    if (style == "smooth") {
+      setting.fitScale = 2.0;
+      SurfaceFamily ridges = familyOf(setting, LineFamily::ApparentRidges);
+      ridges.threshold = 0.4;
+      setting = withFamily(std::move(setting), ridges);
+    }
+    push(setting);
+    const QString name = driver_->path("it's one.svg");
+    driver_->window().surfaces().exporter().exportTo(name, {640, 480});
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(name), kPatienceMs);
+    const QString exported = textOf(name);
+    QString command = exported.section("<command>", 1).section("</command>", 0, 0);
+    QVERIFY2(command.startsWith("flatland lines solid:bumpy-sphere:20 -o 'it'\\''s one.svg' "),
+             qPrintable(command));
+    QVERIFY(QFile::rename(name, driver_->path("window.svg")));
+    QProcess shell;
+    shell.setWorkingDirectory(QFileInfo(name).path());
+    command.replace(0, 8, "\"$0\"").replace("&quot;", "\"");
+    shell.start("sh", {"-c", command, FLATLAND_PROGRAM});
+    QVERIFY(shell.waitForFinished(kPatienceMs));
+    QCOMPARE(QString(shell.readAllStandardError()), QString());
+    QCOMPARE(shell.exitCode(), 0);
+    const auto paths = [](const QString& svg) {
+      static const QRegularExpression path("<path[^>]*>");
+      QStringList all;
+      for (auto found = path.globalMatch(svg); found.hasNext();) all << found.next().captured();
+      all.sort();
+      return all;
+    };
+    QVERIFY(paths(exported).size() > 3);
+    QCOMPARE(paths(textOf(name)), paths(exported));
+  }
+
+  void whatNoCommandMakesHasNone() {
+    const auto hasCommand = [this](const char* what) {
+      const QString name = driver_->path(QString(what) + ".svg");
+      driver_->window().surfaces().exporter().exportTo(name, {640, 480});
+      if (!QTest::qWaitFor([&name] { return QFile::exists(name); }, kPatienceMs)) return false;
+      return textOf(name).contains("<command>");
+    };
+    QVERIFY(hasCommand("plain"));
+    const SurfaceSetting usual = *driver_->scene().surface;
+    SurfaceSetting setting = usual;
+    setting.ink = 0.03;
+    push(setting);
+    QVERIFY(!hasCommand("ink"));
+    SurfaceFamily ridges = familyOf(usual, LineFamily::ApparentRidges);
+    ridges.colour = "#123456";
+    push(withFamily(usual, ridges));
+    QVERIFY(!hasCommand("colour"));
+    ridges.colour.clear();
+    ridges.widthPx += 1.0;
+    push(withFamily(usual, ridges));
+    QVERIFY(!hasCommand("width"));
+    push(usual);
+    QVERIFY(hasCommand("again"));
+    driver_->trigger("surface.compare.families");
+    QVERIFY(quiet());
+    QVERIFY(!hasCommand("views"));
   }
 
   void closingWaitsForTheExport() {
     const QString svg = driver_->path("late.svg"), csv = driver_->path("later.csv");
-    typeFileName(svg);
-    driver_->trigger("surface.export");
+    exportAs("svg", svg);
     driver_->window().surfaces().exporter().exportTo(csv, {});
     discardChanges();
     QVERIFY(driver_->window().close());
@@ -391,6 +577,24 @@ class SurfaceExportTest : public QObject {
       if ((a + share * (b - a) - px).norm() < 0.05) return i;
     }
     return std::nullopt;
+  }
+  static void chosen(QWidget& dialog, const char* box, const QVariant& data) {
+    auto* choice = dialog.findChild<QComboBox*>(box);
+    choice->setCurrentIndex(choice->findData(data));
+  }
+  /// Through both dialogs, in the first of which something is set.
+  void exportAs(
+      const QString& suffix, const QString& file,
+      const std::function<void(QWidget&)>& set = [](QWidget&) {}) {
+    whenModal(
+        [=](QWidget& dialog) {
+          chosen(dialog, "export.format", suffix);
+          set(dialog);
+          typeFileName(file);
+          QTest::mouseClick(dialog.findChild<QAbstractButton*>("export.go"), Qt::LeftButton);
+        },
+        [](QWidget& dialog) { return dialog.objectName() == "surface-export"; });
+    driver_->trigger("surface.export");
   }
   QImage exported(const char* name) {
     const QString file = driver_->path(name);

@@ -437,7 +437,12 @@ class SurfaceTest : public QObject {
     openSolid("torus:40");
     WindowDriver& d = *driver_;
     const QString svg = d.path("lines.svg"), png = d.path("picture.png");
-    typeFileName(svg);
+    whenModal(
+        [&svg](QWidget& dialog) {
+          typeFileName(svg);
+          QTest::mouseClick(dialog.findChild<QAbstractButton*>("export.go"), Qt::LeftButton);
+        },
+        [](QWidget& dialog) { return dialog.objectName() == "surface-export"; });
     d.trigger("surface.export");
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(svg), kPatienceMs);
     QFile file(svg);

@@ -2,17 +2,17 @@
 #include "ui/app/export_dialog.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <vector>
 
+#include "ui/app/export_fields.h"
 #include "ui/export/figure_qt.h"
 #include "ui/model/mark_words.h"
 #include "ui/panels/mark_icon.h"
@@ -21,13 +21,14 @@ namespace flatland::ui {
 
 namespace {
 
-using Unit = ExportSettings::Unit;
 using Format = ExportSettings::Format;
 
-constexpr double kSmallestPx = 40.0;  ///< smaller, nothing can be told apart
-constexpr double kLargestPx = 20000.0;
-
-double pxPer(Unit unit) { return unit == Unit::Pixels ? 1.0 : ExportSettings::kPxPerCm; }
+std::vector<ExportFormat> formats() {
+  return {{ExportDialog::tr("SVG, vector graphics"), suffixOf(Format::Svg)},
+          {ExportDialog::tr("PDF, vector graphics"), suffixOf(Format::Pdf)},
+          {ExportDialog::tr("PNG, pixels"), suffixOf(Format::Png)},
+          {ExportDialog::tr("TikZ, for LaTeX"), suffixOf(Format::Tikz)}};
+}
 
 }  // namespace
 
@@ -36,12 +37,7 @@ ExportDialog::ExportDialog(const Document& document, const ExportSettings& setti
     : QDialog(parent),
       document_(document),
       settings_(settings),
-      format_(new QComboBox(this)),
-      width_(new QDoubleSpinBox(this)),
-      height_(new QDoubleSpinBox(this)),
-      unit_(new QComboBox(this)),
-      dpi_(new QDoubleSpinBox(this)),
-      colours_(new QComboBox(this)),
+      fields_(new ExportFields(formats(), suffixOf(settings.format), settings, this)),
       scale_(new QDoubleSpinBox(this)),
       preview_(new QLabel(this)) {
   setObjectName("export");
@@ -62,7 +58,8 @@ ExportDialog::ExportDialog(const Document& document, const ExportSettings& setti
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
   auto* fields = new QVBoxLayout;
-  fields->addWidget(buildSize());
+  buildScale();
+  fields->addWidget(fields_);
   fields->addWidget(buildContents());
   fields->addStretch(1);
   auto* columns = new QHBoxLayout;
@@ -72,66 +69,22 @@ ExportDialog::ExportDialog(const Document& document, const ExportSettings& setti
   layout->addLayout(columns, 1);
   layout->addWidget(buttons);
 
-  showUnit();
   read();
-  for (QComboBox* box : {format_, unit_, colours_}) {
-    connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::read);
-  }
-  for (QDoubleSpinBox* box : {width_, height_, dpi_, scale_}) {
-    connect(box, &QDoubleSpinBox::valueChanged, this, &ExportDialog::read);
-  }
+  connect(fields_, &ExportFields::changed, this, &ExportDialog::read);
+  connect(scale_, &QDoubleSpinBox::valueChanged, this, &ExportDialog::read);
   for (QCheckBox* box : findChildren<QCheckBox*>()) {
     connect(box, &QCheckBox::toggled, this, &ExportDialog::read);
   }
   resize(820, 500);
 }
 
-QWidget* ExportDialog::buildSize() {
-  format_->setObjectName("export.format");
-  format_->setToolTip(tr("SVG and PDF stay sharp at any size; TikZ is for LaTeX"));
-  format_->addItem(tr("SVG, vector graphics"), static_cast<int>(Format::Svg));
-  format_->addItem(tr("PDF, vector graphics"), static_cast<int>(Format::Pdf));
-  format_->addItem(tr("PNG, pixels"), static_cast<int>(Format::Png));
-  format_->addItem(tr("TikZ, for LaTeX"), static_cast<int>(Format::Tikz));
-  format_->setCurrentIndex(format_->findData(static_cast<int>(settings_.format)));
-  unit_->setObjectName("export.unit");
-  unit_->setToolTip(tr("Unit of width and height; 96 px are one inch"));
-  unit_->setAccessibleName(tr("Unit"));
-  unit_->addItem(tr("cm"), static_cast<int>(Unit::Centimetres));
-  unit_->addItem(tr("px"), static_cast<int>(Unit::Pixels));
-  unit_->setCurrentIndex(unit_->findData(static_cast<int>(settings_.unit)));
-  width_->setObjectName("export.width");
-  width_->setToolTip(tr("Width of the picture"));
-  height_->setObjectName("export.height");
-  height_->setToolTip(tr("Height of the picture"));
-  dpi_->setObjectName("export.dpi");
-  dpi_->setToolTip(tr("Pixels per inch of a PNG file"));
-  dpi_->setRange(10.0, 2400.0);
-  dpi_->setDecimals(0);
-  dpi_->setValue(settings_.dpi);
-
-  colours_->setObjectName("export.colours");
-  colours_->setToolTip(tr("For which background the colours are"));
-  colours_->addItem(tr("For white"), static_cast<int>(Palette::Light));
-  colours_->addItem(tr("For dark grey"), static_cast<int>(Palette::Dark));
-  colours_->addItem(tr("For black"), static_cast<int>(Palette::HighContrast));
-  colours_->setCurrentIndex(colours_->findData(static_cast<int>(settings_.figure.palette)));
+void ExportDialog::buildScale() {
   scale_->setObjectName("export.scale");
   scale_->setToolTip(tr("How much larger than usual marks, letters and lines are"));
   scale_->setRange(ExportSettings::kSmallestScale, ExportSettings::kLargestScale);
   scale_->setSingleStep(0.1);
   scale_->setValue(settings_.figure.scale);
-
-  auto* group = new QGroupBox(tr("File"), this);
-  auto* form = new QFormLayout(group);
-  form->addRow(tr("&Format"), format_);
-  form->addRow(tr("&Width"), width_);
-  form->addRow(tr("&Height"), height_);
-  form->addRow(tr("&Unit"), unit_);
-  form->addRow(tr("&Dots per inch"), dpi_);
-  form->addRow(tr("&Colours"), colours_);
-  form->addRow(tr("&Marks"), scale_);
-  return group;
+  fields_->addRow(tr("&Marks"), scale_);
 }
 
 QCheckBox* ExportDialog::addSwitch(const char* id, const QString& text, const QString& tip) {
@@ -175,17 +128,10 @@ QWidget* ExportDialog::buildContents() {
 }
 
 void ExportDialog::read() {
-  const auto unit = static_cast<Unit>(unit_->currentData().toInt());
-  settings_.format = static_cast<Format>(format_->currentData().toInt());
-  if (unit == settings_.unit) {
-    settings_.widthPx = width_->value() * pxPer(unit);
-    settings_.heightPx = height_->value() * pxPer(unit);
-  } else {
-    settings_.unit = unit;
-    showUnit();  // the same size in other numbers
+  fields_->readInto(settings_);
+  for (const Format format : {Format::Svg, Format::Pdf, Format::Png, Format::Tikz}) {
+    if (suffixOf(format) == fields_->suffix()) settings_.format = format;
   }
-  settings_.dpi = dpi_->value();
-  dpi_->setEnabled(settings_.format == Format::Png);
   FlatFigureOptions& figure = settings_.figure;
   for (std::size_t i = 0; i < kinds_.size(); ++i) figure.kinds[i] = kinds_[i]->isChecked();
   figure.letters = letters_->isChecked();
@@ -193,21 +139,9 @@ void ExportDialog::read() {
   figure.controlPolygon = controlPolygon_->isChecked();
   figure.hidden =
       hidden_->isChecked() ? FlatFigureOptions::Hidden::Pale : FlatFigureOptions::Hidden::Remove;
-  figure.palette = static_cast<Palette>(colours_->currentData().toInt());
   figure.scale = scale_->value();
   figure.transparent = transparent_->isChecked();
   showPreview();
-}
-
-void ExportDialog::showUnit() {
-  const Unit unit = settings_.unit;
-  for (const auto& [box, px] :
-       {std::pair(width_, settings_.widthPx), {height_, settings_.heightPx}}) {
-    const QSignalBlocker silent(box);
-    box->setDecimals(unit == Unit::Pixels ? 0 : 2);
-    box->setRange(kSmallestPx / pxPer(unit), kLargestPx / pxPer(unit));
-    box->setValue(px / pxPer(unit));
-  }
 }
 
 void ExportDialog::showPreview() {

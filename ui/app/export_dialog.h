@@ -7,11 +7,12 @@
 #include "ui/app/export_settings.h"
 
 class QCheckBox;
-class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 
 namespace flatland::ui {
+
+class ExportFields;
 
 /// Asks how to export the picture, and shows it meanwhile. The dialog itself writes nothing.
 class ExportDialog : public QDialog {
@@ -26,21 +27,15 @@ class ExportDialog : public QDialog {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* buildSize();
+  void buildScale();
   QWidget* buildContents();
   QCheckBox* addSwitch(const char* id, const QString& text, const QString& tip);
-  void read();      ///< the fields into the settings
-  void showUnit();  ///< the sizes in the chosen unit
+  void read();  ///< the fields into the settings
   void showPreview();
 
   const Document& document_;
   ExportSettings settings_;
-  QComboBox* format_;
-  QDoubleSpinBox* width_;
-  QDoubleSpinBox* height_;
-  QComboBox* unit_;
-  QDoubleSpinBox* dpi_;
-  QComboBox* colours_;
+  ExportFields* fields_;
   QDoubleSpinBox* scale_;
   QCheckBox* transparent_;
   QCheckBox* letters_;

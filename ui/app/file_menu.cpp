@@ -103,10 +103,8 @@ void buildFileMenu(QMenu& menu, const MenuParts& parts) {
              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}},
             [&files] { files.saveAs(); });
   addAction(menu,
-            {"file.export",
-             FileMenuWords::tr("&Export…"),
-             FileMenuWords::tr("Write the picture as SVG, PDF, PNG or TikZ"),
-             {QKeySequence(Qt::CTRL | Qt::Key_E)}},
+            {"file.export", FileMenuWords::tr("&Export…"),
+             FileMenuWords::tr("Write the picture as SVG, PDF, PNG or TikZ")},
             parts.exportFigure);
   menu.addSeparator();
   QMainWindow& window = parts.window;

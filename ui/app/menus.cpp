@@ -8,6 +8,10 @@
 #include <QMenuBar>
 #include <QToolBar>
 
+#include "ui/app/export_key.h"
+#include "ui/flat/canvas.h"
+#include "ui/view3d/surface_area.h"
+
 namespace flatland::ui {
 
 namespace {
@@ -67,9 +71,12 @@ void buildMenus(const MenuParts& parts) {
   const qsizetype after = file.actions().indexOf(presets) + 1;
   file.insertAction(file.actions().value(after), parts.window.findChild<QAction*>("lesson.open"));
   buildHelpMenu(addMenu(parts.window, "menu.help", MenusWords::tr("&Help")), parts);
+  const auto action = [&parts](const char* id) { return parts.window.findChild<QAction*>(id); };
+  new ExportKey(parts.models.document, parts.canvas, parts.surfaceArea, *action("file.export"),
+                *action("surface.export"), &parts.window);
   for (const char* id :
        {"file.export", "surface.export", "view.fit", "view.control-polygon", "view.hidden"}) {
-    parts.pictureBar.addAction(parts.window.findChild<QAction*>(id));
+    parts.pictureBar.addAction(action(id));
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "ui/app/file_controller.h"
 #include "ui/app/message_bar.h"
+#include "ui/app/surface_export_dialog.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/import/mesh_name.h"
 #include "ui/model/surface_look.h"
@@ -22,7 +23,8 @@ namespace {
 
 constexpr char kFolderKey[] = "surface/folder";
 constexpr char kExportFolderKey[] = "export/folder";
-constexpr QSize kPictureSize(1600, 1200);  ///< of exported pictures
+constexpr char kExportFormatKey[] = "surface/export-format";
+constexpr char kExportWidthKey[] = "surface/export-width";  ///< px
 
 /// A mesh that is so much longer another way than upward may be standing, and may lie down.
 constexpr double kUprightShare = 0.8;
@@ -130,17 +132,41 @@ void SurfaceController::close() {
       std::make_unique<SetSurface>(models_.document, std::nullopt, tr("close surface")));
 }
 
-void SurfaceController::exportPicture() {
+void SurfaceController::exportPicture(const QSize& panel) {
   if (!models_.source.surface()) return;
+  // Unit, colours and dots per inch are those of every export; the shape is that of the panel.
+  ExportSettings settings;
+  QString suffix = "svg";
+  const double shape = static_cast<double>(qMax(panel.height(), 1)) / qMax(panel.width(), 1);
+  settings.widthPx = panel.width();
+  if (settings_) {
+    settings.restore(*settings_);
+    settings.widthPx = settings_->value(kExportWidthKey, panel.width()).toDouble();
+    suffix = settings_->value(kExportFormatKey, suffix).toString();
+  }
+  settings.heightPx = settings.widthPx * shape;
+  SurfaceExportDialog dialog(settings, suffix, &window_);
+  if (dialog.exec() != QDialog::Accepted) return;
+  settings = dialog.settings();
+  suffix = dialog.suffix();
   const QString start = settings_ ? settings_->value(kExportFolderKey).toString() : QString();
-  const QStringList filters{
-      tr("Lines as vectors (*.svg *.pdf *.tex)"), tr("Picture with shading (*.png)"),
-      tr("Curvature at the vertices (*.ply *.csv)"), tr("Cameras for flatland lines (*.json)")};
   const QString name = askSaveName(&window_, tr("Export surface"),
-                                   QDir(start).filePath(tr("surface") + ".svg"), filters);
+                                   QDir(start).filePath(tr("surface") + "." + suffix),
+                                   {tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix)});
   if (name.isEmpty()) return;
-  if (settings_) settings_->setValue(kExportFolderKey, QFileInfo(name).absolutePath());
-  exporter_.exportTo(name, kPictureSize);
+  if (settings_) {
+    ExportSettings common;
+    common.restore(*settings_);
+    common.unit = settings.unit;
+    common.dpi = settings.dpi;
+    common.figure.palette = settings.figure.palette;
+    common.save(*settings_);
+    settings_->setValue(kExportWidthKey, settings.widthPx);
+    settings_->setValue(kExportFormatKey, suffix);
+    settings_->setValue(kExportFolderKey, QFileInfo(name).absolutePath());
+  }
+  exporter_.exportTo(name, {qRound(settings.widthPx), qRound(settings.heightPx), settings.dpi,
+                            settings.figure.palette});
 }
 
 bool SurfaceController::finishExports() {

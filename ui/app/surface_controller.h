@@ -34,7 +34,9 @@ class SurfaceController : public QObject {
   bool hasNeighbours() const;
   void close();
 
-  void exportPicture();  ///< asks where to, see SurfaceExporter
+  /// Asks as what and where to, see SurfaceExporter. Pictures have the shape of the panel, whose
+  /// size is given in px, unless the person wants another one.
+  void exportPicture(const QSize& panel);
   SurfaceExporter& exporter() { return exporter_; }
   /// Waits for the exports under way, if there are any, while the window is painted but takes no
   /// input. False if one of them failed: it has been told, and the window should stay.

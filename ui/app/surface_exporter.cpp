@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <QFileInfo>
 #include <QImage>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -18,12 +19,16 @@
 #include "ui/model/orbit.h"
 #include "ui/model/paths.h"
 #include "ui/plot/figure_files.h"
+#include "ui/view3d/lines_command.h"
 #include "ui/view3d/surface_figure.h"
 
 namespace flatland::ui {
 
 namespace {
 
+constexpr double kPxPerInch = 96.0, kMetresPerInch = 0.0254;
+/// Of a shaded picture: it takes some 35 bytes a pixel, 2 GB.
+constexpr double kMostPixels = 64.0 * 1024.0 * 1024.0;
 constexpr std::size_t kLongestName = 64;  ///< of a camera in a list
 
 /// A name that can be a part of a file's name: letters, digits, "-" and "_", none twice.
@@ -86,7 +91,7 @@ void SurfaceExporter::startNext() {
   start();
 }
 
-void SurfaceExporter::exportTo(const QString& name, const QSize& size) {
+void SurfaceExporter::exportTo(const QString& name, const PictureSize& size) {
   const auto& surface = models_.source.surface();
   if (!surface || !models_.there()) return;
   std::error_code notThere;  // then they differ
@@ -101,9 +106,30 @@ void SurfaceExporter::exportTo(const QString& name, const QSize& size) {
   writeLines(name, size);
 }
 
-void SurfaceExporter::writePicture(const QString& name, const QSize& size) {
-  enqueue(name, [name, pictures = picturesOf(models_), size] {
-    const QImage image = paintSurfaces(pictures, size);
+std::vector<SurfacePicture> SurfaceExporter::picturesFor(const PictureSize& size) const {
+  std::vector<SurfacePicture> pictures = picturesOf(models_);
+  for (SurfacePicture& picture : pictures) {
+    picture.lineScale = 1.0;  // large type is for screens
+    if (!size.palette) continue;
+    picture.palette = *size.palette;
+    picture.marks.clear();
+    if (picture.surface) addMarks(picture, models_.bridges);
+  }
+  return pictures;
+}
+
+void SurfaceExporter::writePicture(const QString& name, const PictureSize& size) {
+  enqueue(name, [name, pictures = picturesFor(size), size] {
+    const double ratio = size.dpi / kPxPerInch;
+    const double width = std::round(size.width * ratio), height = std::round(size.height * ratio);
+    if (!(width >= 1.0 && height >= 1.0 && width * height <= kMostPixels)) {
+      throw InputError(name.toStdString(), "", "no picture of this size can be made");
+    }
+    QImage image =
+        paintSurfaces(pictures, QSize(static_cast<int>(width), static_cast<int>(height)), ratio);
+    const int dotsPerMetre = qRound(size.dpi / kMetresPerInch);
+    image.setDotsPerMeterX(dotsPerMetre);
+    image.setDotsPerMeterY(dotsPerMetre);
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
@@ -115,19 +141,22 @@ void SurfaceExporter::writePicture(const QString& name, const QSize& size) {
   });
 }
 
-void SurfaceExporter::writeLines(const QString& name, const QSize& size) {
-  const std::vector<SurfacePicture> pictures = picturesOf(models_);
+void SurfaceExporter::writeLines(const QString& name, const PictureSize& size) {
+  const std::vector<SurfacePicture> pictures = picturesFor(size);
   for (const SurfacePicture& picture : pictures) {
     if (picture.pane.difference && !(picture.seen && picture.seen->difference)) {
       return emit notYet();
     }
   }
-  enqueue(name, [name, pictures, size, title = surfaceName(models_.source.surface()->reference),
+  const QSize px(size.width, size.height);
+  enqueue(name, [name, pictures, px, title = surfaceName(models_.source.surface()->reference),
                  scene = models_.document.scene()] {
     writeFigureFile(toPath(name), {.suggestedName = {},
                                    .title = title,
                                    .sceneJson = sceneToJson(scene),
-                                   .figure = [&] { return surfaceFigure(pictures, size); },
+                                   .command = linesCommand(
+                                       pictures, px, QFileInfo(name).fileName().toStdString()),
+                                   .figure = [&] { return surfaceFigure(pictures, px); },
                                    .table = {}});
   });
 }

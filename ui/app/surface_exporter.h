@@ -2,15 +2,23 @@
 #pragma once
 
 #include <QObject>
-#include <QSize>
 #include <QString>
 #include <deque>
 #include <functional>
+#include <optional>
 
 #include "ui/jobs/job.h"
 #include "ui/view3d/surface_models.h"
+#include "ui/view3d/surface_picture.h"
 
 namespace flatland::ui {
+
+/// How large a picture is made, and for which background.
+struct PictureSize {
+  int width = 0, height = 0;         ///< px of 1/96 inch, which is what lines are wide in
+  double dpi = 96.0;                 ///< of PNG: pixels per inch
+  std::optional<Palette> palette{};  ///< empty: that of the window
+};
 
 /// Writes what is seen of the surface, by the suffix of the file's name: as PNG the views with
 /// their shading, as SVG, PDF or TikZ their lines as vectors, as PLY or CSV the curvatures at the
@@ -22,10 +30,10 @@ class SurfaceExporter : public QObject {
  public:
   explicit SurfaceExporter(const SurfaceModels& models, QObject* parent = nullptr);
 
-  /// Pictures have this size in px. Writes what is seen now, after exports that are under way. Done
+  /// Pictures have this size. Writes what is seen now, after exports that are under way. Done
   /// beside the window's thread; written() or failed() tells the end. Nothing happens without a
   /// surface.
-  void exportTo(const QString& name, const QSize& size);
+  void exportTo(const QString& name, const PictureSize& size);
 
   /// True until the files of all exports are written, or could not be.
   bool isBusy() const { return job_.isRunning() || !waiting_.empty(); }
@@ -37,10 +45,11 @@ class SurfaceExporter : public QObject {
   void idle();    ///< no longer busy
 
  private:
-  void writePicture(const QString& name, const QSize& size);
-  void writeLines(const QString& name, const QSize& size);
+  void writePicture(const QString& name, const PictureSize& size);
+  void writeLines(const QString& name, const PictureSize& size);
   void writeFields(const QString& name);
   void writeCameras(const QString& name);
+  std::vector<SurfacePicture> picturesFor(const PictureSize& size) const;
   void startNext();
   /// `writing` runs beside the window's thread, when the exports before it are done.
   void enqueue(const QString& name, std::function<void()> writing);

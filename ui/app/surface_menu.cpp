@@ -150,7 +150,7 @@ void buildSurfaceMenu(QMenu& menu, const MenuParts& parts) {
   QAction* picture = addAction(menu,
                                {"surface.export", SurfaceMenuWords::tr("&Export Surface…"),
                                 SurfaceMenuWords::tr("Write the picture of the surface")},
-                               [&surfaces] { surfaces.exportPicture(); });
+                               [&surfaces, &area] { surfaces.exportPicture(area.viewsSize()); });
   const auto show = [=, &surfaces, &document, &views, &up, &compare] {
     const bool there = document.scene().surface.has_value();
     next->setEnabled(surfaces.hasNeighbours());

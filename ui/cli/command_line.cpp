@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "flatland/io/input_error.h"
+#include "ui/export/plain_text.h"
 
 namespace flatland::ui {
 
@@ -83,8 +84,6 @@ std::string withoutFolders(const std::string& file) {
 }
 
 std::string commandWithoutFolders(int argc, const char* const* argv) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/@%";
   std::string line = "flatland";  // wherever it was started from
   for (int i = 1; i < argc; ++i) {
     std::string argument = argv[i];
@@ -95,20 +94,7 @@ std::string commandWithoutFolders(int argc, const char* const* argv) {
       file = std::min<std::size_t>(2, argument.size());
     }
     argument.replace(file, std::string::npos, withoutFolders(argument.substr(file)));
-    line += ' ';
-    if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string_view::npos) {
-      line += argument;
-      continue;
-    }
-    line += '\'';
-    for (const char c : argument) {
-      if (c == '\'') {
-        line += "'\\''";
-      } else {
-        line += c;
-      }
-    }
-    line += '\'';
+    line += " " + shellWord(argument);
   }
   return line;
 }

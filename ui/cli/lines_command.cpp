@@ -264,6 +264,7 @@ void addChoice(CLI::App& command, const std::string& name, Value& value,
 
 void addViews(CLI::App& command, Options& options) {
   addCamera(command, options.camera);
+  addFraming(command, options.camera);
   addSize(command, options.size);
   isWhole(command
               .add_option("--turntable", options.turntable,

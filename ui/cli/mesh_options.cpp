@@ -27,20 +27,26 @@ std::optional<double> numberFrom(std::string_view text) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// "x,y,z" as a unit vector; nullopt if it is none.
-std::optional<Eigen::Vector3d> directionFrom(std::string_view text) {
-  Eigen::Vector3d direction;
+/// "x,y,z"; nullopt if it is none.
+std::optional<Eigen::Vector3d> placeFrom(std::string_view text) {
+  Eigen::Vector3d place;
   for (Eigen::Index i = 0; i < 3; ++i) {
     const std::size_t comma = text.find(',');
     if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;
     const std::optional<double> value = numberFrom(text.substr(0, comma));
     if (!value) return std::nullopt;
-    direction[i] = *value;
+    place[i] = *value;
     text.remove_prefix(i == 2 ? text.size() : comma + 1);
   }
-  const double size = direction.cwiseAbs().maxCoeff();
+  return place;
+}
+
+/// "x,y,z" as a unit vector; nullopt if it is none.
+std::optional<Eigen::Vector3d> directionFrom(std::string_view text) {
+  const std::optional<Eigen::Vector3d> direction = placeFrom(text);
+  const double size = direction ? direction->cwiseAbs().maxCoeff() : 0.0;
   if (!(size > 0.0)) return std::nullopt;
-  return (direction / size).normalized();
+  return (*direction / size).normalized();
 }
 
 std::vector<std::string> familyNames() {
@@ -138,6 +144,26 @@ void addCamera(CLI::App& command, Camera& camera) {
               "Vertical field of view; without it the view is orthographic")
           ->type_name("DEG"),
       kLeastPerspectiveDeg, kMostPerspectiveDeg);
+}
+
+void addFraming(CLI::App& command, Camera& camera) {
+  isNumber(
+      command.add_option("--zoom", camera.zoom, "How much larger than fitted into the picture [1]")
+          ->type_name("Z"),
+      1e-6, kMostZoom);
+  command
+      .add_option_function<std::string>(
+          "--centre", [&camera](const std::string& text) { camera.centre = *placeFrom(text); },
+          "Seen in the middle: coordinates in which the middle of the mesh is 0,0,0 and its "
+          "longest\n"
+          "side 2. Then the ball that holds the mesh is fitted, and not its outline")
+      ->type_name("X,Y,Z")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return placeFrom(text) ? std::string()
+                                   : "expected a place x,y,z, for example 0,0.5,0, found " + text;
+          },
+          ""));
 }
 
 void addFields(CLI::App& command, FieldOptions& fields) {

@@ -26,6 +26,9 @@ void addDirection(CLI::App& command, const std::string& name, Eigen::Vector3d& d
 /// The options --view, --up and --perspective.
 void addCamera(CLI::App& command, Camera& camera);
 
+/// --zoom and --centre: what of the mesh the picture shows.
+void addFraming(CLI::App& command, Camera& camera);
+
 /// The options --estimator, --scale and --threads.
 void addFields(CLI::App& command, FieldOptions& fields);
 

@@ -102,8 +102,10 @@ std::string figureToSvg(const Figure& figure, const FigureSource& source) {
          attribute("font-family", "Helvetica, Arial, 'DejaVu Sans', sans-serif") + ">\n";
   svg += "<title>" + escaped(source.title) + "</title>\n";
   svg += "<metadata>\n<source xmlns=\"urn:flatland:source\">\n<program>" + escaped(source.program) +
-         "</program>\n<command>" + escaped(source.command) + "</command>\n<" + source.sceneName +
-         ">" + escaped(source.sceneJson) + "</" + source.sceneName + ">\n</source>\n</metadata>\n";
+         "</program>\n" +
+         (source.command.empty() ? "" : "<command>" + escaped(source.command) + "</command>\n") +
+         "<" + source.sceneName + ">" + escaped(source.sceneJson) + "</" + source.sceneName +
+         ">\n</source>\n</metadata>\n";
   if (figure.background) {
     svg += "<rect id=\"background\"" + attribute("width", width) + attribute("height", height) +
            attribute("fill", toHex(*figure.background)) + "/>\n";

@@ -3,9 +3,11 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <iterator>
 #include <vector>
 
 #include "ui/model/core_words.h"
+#include "ui/model/mesh_sentences.h"
 
 namespace flatland::ui {
 
@@ -98,7 +100,10 @@ const std::vector<Sentence>& sentences() {
   static const std::vector<Sentence> kForms = [] {
     static const QRegularExpression value(QStringLiteral("%[1-9]"));
     std::vector<Sentence> forms;
-    for (const char* english : kSentences) {
+    const auto meshes = meshSentences();
+    std::vector<const char*> all(meshes.begin(), meshes.end());
+    all.insert(all.end(), std::begin(kSentences), std::end(kSentences));
+    for (const char* english : all) {
       QStringList words = QString::fromUtf8(english).split(value);
       for (QString& part : words) part = QRegularExpression::escape(part);
       const QString form = words.join(QStringLiteral("(.+?)"));

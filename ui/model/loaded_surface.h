@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core3d/diff/surface_fields.h"
-#include "core3d/lines/mesh_places.h"
+#include "core3d/draw/mesh_places.h"
 #include "core3d/mesh/mesh_report.h"
 #include "core3d/mesh/triangle_mesh.h"
 #include "core3d/study/bridge_lines.h"

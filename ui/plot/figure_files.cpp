@@ -33,7 +33,7 @@ void writeFigureFile(const std::filesystem::path& file, const FigureFile& conten
                                                 QCoreApplication::applicationVersion())
                                            .trimmed()
                                            .toStdString(),
-                            .command = {},
+                            .command = contents.command,
                             .sceneJson = contents.sceneJson};
   std::string bytes;
   if (suffix == "csv" && contents.table) {

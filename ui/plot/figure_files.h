@@ -16,6 +16,7 @@ namespace flatland::ui {
 struct FigureFile {
   QString suggestedName;                    ///< without suffix
   std::string title, sceneJson;             ///< for the file's account of itself
+  std::string command = {};                 ///< that makes it again; may be empty
   std::function<Figure()> figure = {};      ///< as it goes to paper; may be empty
   std::function<std::string()> table = {};  ///< CSV; may be empty
 };

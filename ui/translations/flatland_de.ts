@@ -1480,6 +1480,690 @@
         <source>swept curve</source>
         <translation>bewegte Kurve</translation>
     </message>
+    <message>
+        <source>byte %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number of reasonable size: %2</source>
+        <translation>%1 ist keine ganze Zahl in vernünftiger Größe: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number: %2</source>
+        <translation>%1 ist keine ganze Zahl: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2</source>
+        <translation>%1 ist keine Zahl: %2</translation>
+    </message>
+    <message>
+        <source>x of a vertex</source>
+        <translation>x einer Ecke</translation>
+    </message>
+    <message>
+        <source>y of a vertex</source>
+        <translation>y einer Ecke</translation>
+    </message>
+    <message>
+        <source>z of a vertex</source>
+        <translation>z einer Ecke</translation>
+    </message>
+    <message>
+        <source>w of a vertex</source>
+        <translation>w einer Ecke</translation>
+    </message>
+    <message>
+        <source>vertex of a face</source>
+        <translation>Ecke einer Facette</translation>
+    </message>
+    <message>
+        <source>corner of a face</source>
+        <translation>Ecke einer Facette</translation>
+    </message>
+    <message>
+        <source>texture or normal of a face</source>
+        <translation>Textur oder Normale einer Facette</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>a value of a vertex</source>
+        <translation>ein Wert einer Ecke</translation>
+    </message>
+    <message>
+        <source>the length of a list</source>
+        <translation>die Länge einer Liste</translation>
+    </message>
+    <message>
+        <source>number of dimensions</source>
+        <translation>Anzahl der Dimensionen</translation>
+    </message>
+    <message>
+        <source>number of vertices</source>
+        <translation>Anzahl der Ecken</translation>
+    </message>
+    <message>
+        <source>number of faces</source>
+        <translation>Anzahl der Facetten</translation>
+    </message>
+    <message>
+        <source>number of edges</source>
+        <translation>Anzahl der Kanten</translation>
+    </message>
+    <message>
+        <source>number of corners of a face</source>
+        <translation>Anzahl der Ecken einer Facette</translation>
+    </message>
+    <message>
+        <source>number of elements</source>
+        <translation>Anzahl der Elemente</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is compressed (gzip); unpack it first</source>
+        <translation>ist komprimiert (gzip); entpacke sie zuerst</translation>
+    </message>
+    <message>
+        <source>is no mesh file: PLY, OBJ, STL, OFF, glTF and GLB can be read</source>
+        <translation>ist keine Netzdatei: PLY, OBJ, STL, OFF, glTF und GLB können gelesen werden</translation>
+    </message>
+    <message>
+        <source>does not fit into memory</source>
+        <translation>passt nicht in den Speicher</translation>
+    </message>
+    <message>
+        <source>no such solid; there are %1</source>
+        <translation>diesen Körper gibt es nicht; es gibt %1</translation>
+    </message>
+    <message>
+        <source>expected a number of cells from %1 to %2, found %3</source>
+        <translation>erwartet eine Zahl von Zellen von %1 bis %2, gefunden %3</translation>
+    </message>
+    <message>
+        <source>a solid is solid:NAME, solid:NAME:CELLS or solid:NAME:CELLS:irregular</source>
+        <translation>ein Körper heißt solid:NAME, solid:NAME:ZELLEN oder solid:NAME:ZELLEN:irregular</translation>
+    </message>
+    <message>
+        <source>more than %1 corners of faces, which is too many</source>
+        <translation>mehr als %1 Ecken von Facetten, das sind zu viele</translation>
+    </message>
+    <message>
+        <source>all faces lie at one point</source>
+        <translation>alle Facetten liegen in einem Punkt</translation>
+    </message>
+    <message>
+        <source>no face has an area</source>
+        <translation>keine Facette hat eine Fläche</translation>
+    </message>
+    <message>
+        <source>there are no faces: a cloud of points is no mesh</source>
+        <translation>es gibt keine Facetten: eine Punktwolke ist kein Netz</translation>
+    </message>
+    <message>
+        <source>there are no faces</source>
+        <translation>es gibt keine Facetten</translation>
+    </message>
+    <message>
+        <source>there are no triangles</source>
+        <translation>es gibt keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>there are no facets</source>
+        <translation>es gibt keine Facetten</translation>
+    </message>
+    <message>
+        <source>the PLY header has no end_header</source>
+        <translation>der PLY-Kopf hat kein end_header</translation>
+    </message>
+    <message>
+        <source>not a PLY file: it does not begin with the line &apos;ply&apos;</source>
+        <translation>keine PLY-Datei: sie beginnt nicht mit der Zeile &apos;ply&apos;</translation>
+    </message>
+    <message>
+        <source>unknown type of a property: %1</source>
+        <translation>unbekannter Typ einer Eigenschaft: %1</translation>
+    </message>
+    <message>
+        <source>unknown format %1</source>
+        <translation>unbekanntes Format %1</translation>
+    </message>
+    <message>
+        <source>the number of elements is negative</source>
+        <translation>die Anzahl der Elemente ist negativ</translation>
+    </message>
+    <message>
+        <source>a property stands before the first element</source>
+        <translation>eine Eigenschaft steht vor dem ersten Element</translation>
+    </message>
+    <message>
+        <source>the length of a list is not a whole number</source>
+        <translation>die Länge einer Liste ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a property has no name</source>
+        <translation>eine Eigenschaft hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>unknown word in the header: %1</source>
+        <translation>unbekanntes Wort im Kopf: %1</translation>
+    </message>
+    <message>
+        <source>the header does not say the format</source>
+        <translation>der Kopf nennt das Format nicht</translation>
+    </message>
+    <message>
+        <source>more values than the header announces: %1</source>
+        <translation>mehr Werte, als der Kopf ankündigt: %1</translation>
+    </message>
+    <message>
+        <source>the length of a list is negative</source>
+        <translation>die Länge einer Liste ist negativ</translation>
+    </message>
+    <message>
+        <source>a list of %1 values is longer than the file</source>
+        <translation>eine Liste von %1 Werten ist länger als die Datei</translation>
+    </message>
+    <message>
+        <source>there are too many vertices</source>
+        <translation>es gibt zu viele Ecken</translation>
+    </message>
+    <message>
+        <source>the header has no element &apos;vertex&apos;</source>
+        <translation>der Kopf hat kein Element &apos;vertex&apos;</translation>
+    </message>
+    <message>
+        <source>the header says %1 times %2, more than the file can hold</source>
+        <translation>der Kopf sagt %1 mal %2, mehr als in die Datei passt</translation>
+    </message>
+    <message>
+        <source>vertices have no %1</source>
+        <translation>Ecken haben kein %1</translation>
+    </message>
+    <message>
+        <source>%1 of vertex %2 is not finite</source>
+        <translation>%1 der Ecke %2 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>%1 has no list of whole numbers &apos;vertex_indices&apos;</source>
+        <translation>%1 hat keine Liste ganzer Zahlen &apos;vertex_indices&apos;</translation>
+    </message>
+    <message>
+        <source>not an OBJ file: %1</source>
+        <translation>keine OBJ-Datei: %1</translation>
+    </message>
+    <message>
+        <source>a face uses vertex 0, but the first one is 1</source>
+        <translation>eine Facette verwendet Ecke 0, aber die erste ist 1</translation>
+    </message>
+    <message>
+        <source>a face uses vertex %1, but they are 0 to %2</source>
+        <translation>eine Facette verwendet Ecke %1, aber es sind 0 bis %2</translation>
+    </message>
+    <message>
+        <source>a face uses vertex %1 of %2</source>
+        <translation>eine Facette verwendet Ecke %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 uses vertex %2, but they are 0 to %3</source>
+        <translation>%1 verwendet Ecke %2, aber es sind 0 bis %3</translation>
+    </message>
+    <message>
+        <source>unknown kind of OFF file: %1</source>
+        <translation>unbekannte Art von OFF-Datei: %1</translation>
+    </message>
+    <message>
+        <source>a count is negative</source>
+        <translation>eine Anzahl ist negativ</translation>
+    </message>
+    <message>
+        <source>a coordinate of a vertex is not finite</source>
+        <translation>eine Koordinate einer Ecke ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a face has a negative number of corners</source>
+        <translation>eine Facette hat eine negative Anzahl von Ecken</translation>
+    </message>
+    <message>
+        <source>a face has %1 values of colour</source>
+        <translation>eine Facette hat %1 Farbwerte</translation>
+    </message>
+    <message>
+        <source>a face has less than three corners</source>
+        <translation>eine Facette hat weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>a face has too many values</source>
+        <translation>eine Facette hat zu viele Werte</translation>
+    </message>
+    <message>
+        <source>a vertex lies at infinity</source>
+        <translation>eine Ecke liegt im Unendlichen</translation>
+    </message>
+    <message>
+        <source>has points of %1 dimensions instead of %2</source>
+        <translation>hat Punkte mit %1 Dimensionen statt %2</translation>
+    </message>
+    <message>
+        <source>the counts, %1 vertices and %2 faces, are more than the file can hold</source>
+        <translation>die Anzahlen, %1 Ecken und %2 Facetten, sind mehr, als in die Datei passt</translation>
+    </message>
+    <message>
+        <source>the vertices end within a line</source>
+        <translation>die Ecken enden mitten in einer Zeile</translation>
+    </message>
+    <message>
+        <source>the file has no counts</source>
+        <translation>die Datei hat keine Anzahlen</translation>
+    </message>
+    <message>
+        <source>the file has no faces</source>
+        <translation>die Datei hat keine Facetten</translation>
+    </message>
+    <message>
+        <source>the file ends too early</source>
+        <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
+        <source>the file ends before the counts</source>
+        <translation>die Datei endet vor den Anzahlen</translation>
+    </message>
+    <message>
+        <source>the file ends and has no faces</source>
+        <translation>die Datei endet und hat keine Facetten</translation>
+    </message>
+    <message>
+        <source>the file ends and has no facets</source>
+        <translation>die Datei endet und hat keine Facetten</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 of %2 vertices</source>
+        <translation>die Datei endet nach %1 von %2 Ecken</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 of %2 faces</source>
+        <translation>die Datei endet nach %1 von %2 Facetten</translation>
+    </message>
+    <message>
+        <source>%1 is missing: the file ends</source>
+        <translation>%1 fehlt: die Datei endet</translation>
+    </message>
+    <message>
+        <source>%1 is missing, there is %2</source>
+        <translation>%1 fehlt, da steht %2</translation>
+    </message>
+    <message>
+        <source>%1 expected, there is %2</source>
+        <translation>%1 erwartet, da steht %2</translation>
+    </message>
+    <message>
+        <source>neither a text STL nor long enough for a binary one</source>
+        <translation>weder ein STL als Text noch lang genug für ein binäres</translation>
+    </message>
+    <message>
+        <source>says that there are %1 facets, but the file ends after %2</source>
+        <translation>sagt, es gebe %1 Facetten, aber die Datei endet nach %2</translation>
+    </message>
+    <message>
+        <source>a coordinate of facet %1 is not finite</source>
+        <translation>eine Koordinate von Facette %1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the GLB header is cut short</source>
+        <translation>der GLB-Kopf ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>GLB version %1 instead of 2</source>
+        <translation>GLB-Version %1 statt 2</translation>
+    </message>
+    <message>
+        <source>the GLB should have only %1 bytes</source>
+        <translation>das GLB sollte nur %1 Bytes haben</translation>
+    </message>
+    <message>
+        <source>the GLB should have %1 bytes, but has %2</source>
+        <translation>das GLB sollte %1 Bytes haben, hat aber %2</translation>
+    </message>
+    <message>
+        <source>a chunk of %1 bytes is longer than the file</source>
+        <translation>ein Stück von %1 Bytes ist länger als die Datei</translation>
+    </message>
+    <message>
+        <source>the first chunk is not JSON</source>
+        <translation>das erste Stück ist kein JSON</translation>
+    </message>
+    <message>
+        <source>its data URI is not base64</source>
+        <translation>seine Daten-URI ist kein base64</translation>
+    </message>
+    <message>
+        <source>the base64 of its data URI is malformed</source>
+        <translation>das base64 seiner Daten-URI ist fehlerhaft</translation>
+    </message>
+    <message>
+        <source>should have %1 bytes, but has %2</source>
+        <translation>sollte %1 Bytes haben, hat aber %2</translation>
+    </message>
+    <message>
+        <source>%1 is an address; only files beside this one are read</source>
+        <translation>%1 ist eine Adresse; nur Dateien neben dieser werden gelesen</translation>
+    </message>
+    <message>
+        <source>there is no file %1 beside this one or in a folder below</source>
+        <translation>es gibt keine Datei %1 neben dieser oder in einem Ordner darunter</translation>
+    </message>
+    <message>
+        <source>the JSON is nested too deeply</source>
+        <translation>das JSON ist zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>the JSON is malformed</source>
+        <translation>das JSON ist fehlerhaft</translation>
+    </message>
+    <message>
+        <source>the JSON has a number that is too large</source>
+        <translation>das JSON hat eine zu große Zahl</translation>
+    </message>
+    <message>
+        <source>the JSON is no glTF object</source>
+        <translation>das JSON ist kein glTF-Objekt</translation>
+    </message>
+    <message>
+        <source>needs the extension %1, which cannot be read</source>
+        <translation>braucht die Erweiterung %1, die nicht gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from 0 to 2^32 - 1: %2</source>
+        <translation>%1 ist keine ganze Zahl von 0 bis 2^32 - 1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is no list of %2 numbers</source>
+        <translation>%1 ist keine Liste von %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 is no list</source>
+        <translation>%1 ist keine Liste</translation>
+    </message>
+    <message>
+        <source>is no object</source>
+        <translation>ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>is no glTF: it has no asset.version</source>
+        <translation>ist kein glTF: es hat keine asset.version</translation>
+    </message>
+    <message>
+        <source>glTF version %1 instead of 2.0</source>
+        <translation>glTF-Version %1 statt 2.0</translation>
+    </message>
+    <message>
+        <source>%1 has what is no index: %2</source>
+        <translation>%1 hat, was kein Index ist: %2</translation>
+    </message>
+    <message>
+        <source>a rotation is zero</source>
+        <translation>eine Drehung ist null</translation>
+    </message>
+    <message>
+        <source>%1 is no index</source>
+        <translation>%1 ist kein Index</translation>
+    </message>
+    <message>
+        <source>is no index</source>
+        <translation>ist kein Index</translation>
+    </message>
+    <message>
+        <source>each is the child of another</source>
+        <translation>jedes ist das Kind eines anderen</translation>
+    </message>
+    <message>
+        <source>%1 is no text</source>
+        <translation>%1 ist kein Text</translation>
+    </message>
+    <message>
+        <source>has no data</source>
+        <translation>hat keine Daten</translation>
+    </message>
+    <message>
+        <source>shows its meshes too many times over</source>
+        <translation>zeigt seine Netze zu oft</translation>
+    </message>
+    <message>
+        <source>has two parents</source>
+        <translation>hat zwei Eltern</translation>
+    </message>
+    <message>
+        <source>has no buffer</source>
+        <translation>hat keinen Puffer</translation>
+    </message>
+    <message>
+        <source>reaches beyond its buffer</source>
+        <translation>reicht über seinen Puffer hinaus</translation>
+    </message>
+    <message>
+        <source>accessor %1 does not exist</source>
+        <translation>Zugriff %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>gibt es nicht</translation>
+    </message>
+    <message>
+        <source>has the wrong type</source>
+        <translation>hat den falschen Typ</translation>
+    </message>
+    <message>
+        <source>has values of unknown type</source>
+        <translation>hat Werte von unbekanntem Typ</translation>
+    </message>
+    <message>
+        <source>has sparse indices that are not whole numbers</source>
+        <translation>hat dünn besetzte Indizes, die keine ganzen Zahlen sind</translation>
+    </message>
+    <message>
+        <source>replaces more values than it has</source>
+        <translation>ersetzt mehr Werte, als es hat</translation>
+    </message>
+    <message>
+        <source>its sparse indices do not rise, or lead nowhere</source>
+        <translation>seine dünn besetzten Indizes steigen nicht oder führen nirgendwohin</translation>
+    </message>
+    <message>
+        <source>has indices that are not whole numbers</source>
+        <translation>hat Indizes, die keine ganzen Zahlen sind</translation>
+    </message>
+    <message>
+        <source>index %1 is %2, but there are %3 vertices</source>
+        <translation>Index %1 ist %2, aber es gibt %3 Ecken</translation>
+    </message>
+    <message>
+        <source>vertex %1 is not finite</source>
+        <translation>Ecke %1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the number of its indices is not a multiple of 3</source>
+        <translation>die Anzahl seiner Indizes ist kein Vielfaches von 3</translation>
+    </message>
+    <message>
+        <source>is longer than 4 GB</source>
+        <translation>ist länger als 4 GB</translation>
+    </message>
+    <message>
+        <source>is no valid glTF: %1</source>
+        <translation>ist kein gültiges glTF: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not finite: %2</source>
+        <translation>%1 ist nicht endlich: %2</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>the word OFF at the beginning is missing</source>
+        <translation>das Wort OFF am Anfang fehlt</translation>
+    </message>
+    <message>
+        <source>text after the last face passed over</source>
+        <translation>Text nach der letzten Facette übergangen</translation>
+    </message>
+    <message>
+        <source>%1 bytes after the last face passed over</source>
+        <translation>%1 Bytes nach der letzten Facette übergangen</translation>
+    </message>
+    <message>
+        <source>%1 bytes after the last element passed over</source>
+        <translation>%1 Bytes nach dem letzten Element übergangen</translation>
+    </message>
+    <message>
+        <source>%1 bytes after the last facet passed over</source>
+        <translation>%1 Bytes nach der letzten Facette übergangen</translation>
+    </message>
+    <message>
+        <source>%1 bytes after the GLB passed over</source>
+        <translation>%1 Bytes nach dem GLB übergangen</translation>
+    </message>
+    <message>
+        <source>1 face with less than three corners left out</source>
+        <translation>1 Facette mit weniger als drei Ecken ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 faces with less than three corners left out</source>
+        <translation>%1 Facetten mit weniger als drei Ecken ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 record of unknown kind passed over</source>
+        <translation>1 Eintrag unbekannter Art übergangen</translation>
+    </message>
+    <message>
+        <source>%1 records of unknown kind passed over</source>
+        <translation>%1 Einträge unbekannter Art übergangen</translation>
+    </message>
+    <message>
+        <source>1 group of points or lines passed over</source>
+        <translation>1 Gruppe von Punkten oder Linien übergangen</translation>
+    </message>
+    <message>
+        <source>%1 groups of points or lines passed over</source>
+        <translation>%1 Gruppen von Punkten oder Linien übergangen</translation>
+    </message>
+    <message>
+        <source>1 vertex without a face left out</source>
+        <translation>1 Ecke ohne Facette ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 vertices without a face left out</source>
+        <translation>%1 Ecken ohne Facette ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 vertex welded to another at the same place</source>
+        <translation>1 Ecke mit einer anderen am selben Ort verschweißt</translation>
+    </message>
+    <message>
+        <source>%1 vertices welded to another at the same place</source>
+        <translation>%1 Ecken mit einer anderen am selben Ort verschweißt</translation>
+    </message>
+    <message>
+        <source>1 face that crosses itself triangulated with overlaps</source>
+        <translation>1 Facette, die sich selbst kreuzt, mit Überlappungen in Dreiecke zerlegt</translation>
+    </message>
+    <message>
+        <source>%1 faces that cross themselves triangulated with overlaps</source>
+        <translation>%1 Facetten, die sich selbst kreuzen, mit Überlappungen in Dreiecke zerlegt</translation>
+    </message>
+    <message>
+        <source>1 very large face made a fan, which may fold over</source>
+        <translation>1 sehr große Facette zum Fächer gemacht, der sich überschlagen kann</translation>
+    </message>
+    <message>
+        <source>%1 very large faces made a fan, which may fold over</source>
+        <translation>%1 sehr große Facetten zum Fächer gemacht, der sich überschlagen kann</translation>
+    </message>
+    <message>
+        <source>1 triangle with two corners at one place left out</source>
+        <translation>1 Dreieck mit zwei Ecken an einem Ort ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 triangles with two corners at one place left out</source>
+        <translation>%1 Dreiecke mit zwei Ecken an einem Ort ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 triangle that repeat another left out</source>
+        <translation>1 wiederholtes Dreieck ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 triangles that repeat another left out</source>
+        <translation>%1 wiederholte Dreiecke ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 triangle of pieces without area left out</source>
+        <translation>1 Dreieck von Stücken ohne Fläche ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 triangles of pieces without area left out</source>
+        <translation>%1 Dreiecke von Stücken ohne Fläche ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 triangle turned to agree with their neighbours</source>
+        <translation>1 Dreieck umgedreht, passend zu den Nachbarn</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned to agree with their neighbours</source>
+        <translation>%1 Dreiecke umgedreht, passend zu den Nachbarn</translation>
+    </message>
+    <message>
+        <source>1 piece that was inside out turned outward</source>
+        <translation>1 umgestülptes Stück nach außen gewendet</translation>
+    </message>
+    <message>
+        <source>%1 pieces that were inside out turned outward</source>
+        <translation>%1 umgestülpte Stücke nach außen gewendet</translation>
+    </message>
+    <message>
+        <source>1 triangle without area kept</source>
+        <translation>1 Dreieck ohne Fläche behalten</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area kept</source>
+        <translation>%1 Dreiecke ohne Fläche behalten</translation>
+    </message>
+    <message>
+        <source>1 edge with more than two triangles cut</source>
+        <translation>1 Kante mit mehr als zwei Dreiecken aufgeschnitten</translation>
+    </message>
+    <message>
+        <source>%1 edges with more than two triangles cut</source>
+        <translation>%1 Kanten mit mehr als zwei Dreiecken aufgeschnitten</translation>
+    </message>
+    <message>
+        <source>1 vertex where surfaces touch cut apart</source>
+        <translation>1 Ecke aufgetrennt, wo Flächen sich berühren</translation>
+    </message>
+    <message>
+        <source>%1 vertices where surfaces touch cut apart</source>
+        <translation>%1 Ecken aufgetrennt, wo Flächen sich berühren</translation>
+    </message>
+    <message>
+        <source>1 edge cut, because the surface has one side only</source>
+        <translation>1 Kante aufgeschnitten, weil die Fläche nur eine Seite hat</translation>
+    </message>
+    <message>
+        <source>%1 edges cut, because the surface has one side only</source>
+        <translation>%1 Kanten aufgeschnitten, weil die Fläche nur eine Seite hat</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
@@ -3441,10 +4125,6 @@
         <translation>Eine Datei wählen und das Bild schreiben</translation>
     </message>
     <message>
-        <source>SVG and PDF stay sharp at any size; TikZ is for LaTeX</source>
-        <translation>SVG und PDF bleiben in jeder Größe scharf; TikZ ist für LaTeX</translation>
-    </message>
-    <message>
         <source>SVG, vector graphics</source>
         <translation>SVG, Vektorgrafik</translation>
     </message>
@@ -3459,58 +4139,6 @@
     <message>
         <source>TikZ, for LaTeX</source>
         <translation>TikZ, für LaTeX</translation>
-    </message>
-    <message>
-        <source>Unit of width and height; 96 px are one inch</source>
-        <translation>Einheit von Breite und Höhe; 96 px sind ein Zoll</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>Width of the picture</source>
-        <translation>Breite des Bildes</translation>
-    </message>
-    <message>
-        <source>Height of the picture</source>
-        <translation>Höhe des Bildes</translation>
-    </message>
-    <message>
-        <source>Pixels per inch of a PNG file</source>
-        <translation>Pixel je Zoll einer PNG-Datei</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Format</source>
-        <translation>&amp;Format</translation>
-    </message>
-    <message>
-        <source>&amp;Width</source>
-        <translation>&amp;Breite</translation>
-    </message>
-    <message>
-        <source>&amp;Height</source>
-        <translation>&amp;Höhe</translation>
-    </message>
-    <message>
-        <source>&amp;Unit</source>
-        <translation>E&amp;inheit</translation>
-    </message>
-    <message>
-        <source>&amp;Dots per inch</source>
-        <translation>&amp;Punkte je Zoll</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3557,6 +4185,53 @@
         <translation>Den Hintergrund weglassen</translation>
     </message>
     <message>
+        <source>How much larger than usual marks, letters and lines are</source>
+        <translation>Wie viel größer als üblich Marken, Buchstaben und Linien sind</translation>
+    </message>
+    <message>
+        <source>&amp;Marks</source>
+        <translation>&amp;Marken</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::ExportFields</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>SVG and PDF stay sharp at any size; TikZ is for LaTeX</source>
+        <translation>SVG und PDF bleiben in jeder Größe scharf; TikZ ist für LaTeX</translation>
+    </message>
+    <message>
+        <source>Unit of width and height; 96 px are one inch</source>
+        <translation>Einheit von Breite und Höhe; 96 px sind ein Zoll</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>Width of the picture</source>
+        <translation>Breite des Bildes</translation>
+    </message>
+    <message>
+        <source>Height of the picture</source>
+        <translation>Höhe des Bildes</translation>
+    </message>
+    <message>
+        <source>Pixels per inch of a PNG file</source>
+        <translation>Pixel je Zoll einer PNG-Datei</translation>
+    </message>
+    <message>
         <source>For which background the colours are</source>
         <translation>Für welchen Hintergrund die Farben sind</translation>
     </message>
@@ -3573,16 +4248,28 @@
         <translation>Für Schwarz</translation>
     </message>
     <message>
-        <source>How much larger than usual marks, letters and lines are</source>
-        <translation>Wie viel größer als üblich Marken, Buchstaben und Linien sind</translation>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>E&amp;inheit</translation>
+    </message>
+    <message>
+        <source>&amp;Dots per inch</source>
+        <translation>&amp;Punkte je Zoll</translation>
     </message>
     <message>
         <source>&amp;Colours</source>
         <translation>F&amp;arben</translation>
-    </message>
-    <message>
-        <source>&amp;Marks</source>
-        <translation>&amp;Marken</translation>
     </message>
 </context>
 <context>
@@ -5573,24 +6260,59 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
         <translation>Liegt es? Fläche &gt; Achse nach oben stellt es auf.</translation>
     </message>
     <message>
-        <source>Lines as vectors (*.svg *.pdf *.tex)</source>
-        <translation>Linien als Vektoren (*.svg *.pdf *.tex)</translation>
-    </message>
-    <message>
-        <source>Picture with shading (*.png)</source>
-        <translation>Bild mit Schattierung (*.png)</translation>
-    </message>
-    <message>
-        <source>Curvature at the vertices (*.ply *.csv)</source>
-        <translation>Krümmung an den Ecken (*.ply *.csv)</translation>
-    </message>
-    <message>
-        <source>Cameras for flatland lines (*.json)</source>
-        <translation>Kameras für flatland lines (*.json)</translation>
-    </message>
-    <message>
         <source>The window closes when the export is written.</source>
         <translation>Das Fenster schließt, wenn der Export geschrieben ist.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SurfaceExportDialog</name>
+    <message>
+        <source>Export surface</source>
+        <translation>Fläche exportieren</translation>
+    </message>
+    <message>
+        <source>SVG, the lines as vectors</source>
+        <translation>SVG, die Linien als Vektoren</translation>
+    </message>
+    <message>
+        <source>PDF, the lines as vectors</source>
+        <translation>PDF, die Linien als Vektoren</translation>
+    </message>
+    <message>
+        <source>TikZ, the lines for LaTeX</source>
+        <translation>TikZ, die Linien für LaTeX</translation>
+    </message>
+    <message>
+        <source>PNG, the picture with its shading</source>
+        <translation>PNG, das Bild mit seiner Schattierung</translation>
+    </message>
+    <message>
+        <source>PLY, curvature at the vertices</source>
+        <translation>PLY, Krümmung an den Ecken</translation>
+    </message>
+    <message>
+        <source>CSV, curvature at the vertices</source>
+        <translation>CSV, Krümmung an den Ecken</translation>
+    </message>
+    <message>
+        <source>JSON, cameras for flatland lines</source>
+        <translation>JSON, Kameras für flatland lines</translation>
+    </message>
+    <message>
+        <source>Lines keep their width whatever the size.</source>
+        <translation>Linien behalten ihre Breite bei jeder Größe.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Choose a file and write it</source>
+        <translation>Eine Datei wählen und schreiben</translation>
     </message>
 </context>
 <context>
@@ -5773,10 +6495,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
         <translation>Die gewählte Kamera von der Liste nehmen</translation>
     </message>
     <message>
-        <source>%1 vertices, %2 triangles</source>
-        <translation>%1 Punkte, %2 Dreiecke</translation>
-    </message>
-    <message>
         <source>Read in %1 ms</source>
         <translation>Gelesen in %1 ms</translation>
     </message>
@@ -5795,6 +6513,20 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>forget camera</source>
         <translation>Kamera vergessen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln vertices</source>
+        <translation>
+            <numerusform>%Ln Ecke</numerusform>
+            <numerusform>%Ln Ecken</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangles</source>
+        <translation>
+            <numerusform>%Ln Dreieck</numerusform>
+            <numerusform>%Ln Dreiecke</numerusform>
+        </translation>
     </message>
 </context>
 <context>

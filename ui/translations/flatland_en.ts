@@ -101,6 +101,23 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::SurfacePanel</name>
+    <message numerus="yes">
+        <source>%Ln vertices</source>
+        <translation>
+            <numerusform>%Ln vertex</numerusform>
+            <numerusform>%Ln vertices</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangles</source>
+        <translation>
+            <numerusform>%Ln triangle</numerusform>
+            <numerusform>%Ln triangles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::SweepPanel</name>
     <message numerus="yes">
         <source>%n births or merges in half a turn</source>

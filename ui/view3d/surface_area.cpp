@@ -65,6 +65,7 @@ QWidget* SurfaceArea::makeProgress() {
   cancel_ = new QToolButton(row);
   cancel_->setObjectName("surface.cancel");
   cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Give up reading; what was there before stays"));
   connect(cancel_, &QToolButton::clicked, this, [this] {
     models_.source.cancel();
     showState();

@@ -25,6 +25,9 @@ class SurfaceArea : public QWidget {
  public:
   explicit SurfaceArea(const SurfaceModels& models, QWidget* parent = nullptr);
 
+  /// Of what all views show together.
+  QSize viewsSize() const { return views_->size(); }
+
   /// What shows the surface in a view, and the words over it; null before the area was shown, or if
   /// there are not so many views.
   QWidget* canvas(std::size_t pane = 0) const;

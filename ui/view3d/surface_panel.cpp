@@ -7,12 +7,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "ui/commands/scene_commands.h"
+#include "ui/model/core_words.h"
 #include "ui/model/surface_look.h"
 #include "ui/view3d/surface_overlay.h"
 
@@ -160,14 +160,13 @@ void SurfacePanel::showSetting() {
 void SurfacePanel::showReport() {
   const auto& surface = models_.source.surface();
   if (!surface) return report_->clear();
-  const QLocale locale;
-  QStringList lines{tr("%1 vertices, %2 triangles")
-                        .arg(locale.toString(surface->mesh->vertexCount()),
-                             locale.toString(surface->mesh->triangleCount())),
-                    tr("Read in %1 ms").arg(qRound(surface->loadMs))};
+  QStringList lines{
+      tr("%Ln vertices", nullptr, static_cast<int>(surface->mesh->vertexCount())) + ", " +
+          tr("%Ln triangles", nullptr, static_cast<int>(surface->mesh->triangleCount())),
+      tr("Read in %1 ms").arg(qRound(surface->loadMs))};
   if (surface->fields) lines << tr("Curvature in %1 ms").arg(qRound(surface->fieldMs));
   for (const std::string& sentence : surface->report.sentences()) {
-    lines << QString::fromStdString(sentence);
+    lines << coreWords(sentence);
   }
   report_->setText(lines.join('\n'));
 }

@@ -40,9 +40,10 @@ struct Corner {
 
 class Painter {
  public:
-  Painter(const SurfacePicture& picture, const QSize& size)
+  Painter(const SurfacePicture& picture, const QSize& size, double ratio)
       : picture_(picture),
         size_(size),
+        ratio_(ratio),
         style_(styleOf(picture.setting)),
         shading_(shadingColours(picture.palette)),
         colours_(picture.colours()),
@@ -206,7 +207,7 @@ class Painter {
     // In pieces within a dash or a gap each, counted along the axis it follows more closely, as in
     // gl_shaders.h. A piece is hidden or not by its middle; those alike are drawn as one.
     const int axis = std::abs(to.x() - from.x()) >= std::abs(to.y() - from.y()) ? 0 : 1;
-    const float dash = kDashPx * static_cast<float>(kFiner);
+    const float dash = kDashPx * static_cast<float>(kFiner * ratio_);
     const float first = from[axis] / dash, last = to[axis] / dash;
     const auto shareAt = [first, last](float place) {
       return first == last ? 1.0f : std::min((place - first) / (last - first), 1.0f);
@@ -241,7 +242,7 @@ class Painter {
     if (!(ink > 0.0f)) return;
     QColor shade(layer.colour.r, layer.colour.g, layer.colour.b);
     shade.setAlphaF(ink);
-    QPen pen(shade, layer.widthPx * picture_.lineScale);
+    QPen pen(shade, layer.widthPx * picture_.lineScale * ratio_);
     // Round ends would overlap at every joint and show as dots where a line is transparent.
     pen.setCapStyle(ink < 1.0f ? Qt::FlatCap : Qt::RoundCap);
     painter.setPen(pen);
@@ -268,6 +269,7 @@ class Painter {
 
   const SurfacePicture& picture_;
   QSize size_;
+  double ratio_;
   SurfaceStyle style_;
   ShadingColours shading_;
   const VertexColours* colours_;
@@ -343,8 +345,6 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
   return layers;
 }
 
-namespace {
-
 void addMarks(SurfacePicture& picture, Bridges& bridges) {
   const auto& bridge = bridges.source.view();
   if (bridge && bridges.source.isShown() &&
@@ -358,8 +358,6 @@ void addMarks(SurfacePicture& picture, Bridges& bridges) {
     picture.marks.push_back(sectionLine(section, picture.palette));
   }
 }
-
-}  // namespace
 
 SurfacePicture pictureOf(const SurfaceModels& models) {
   SurfacePicture picture;
@@ -407,52 +405,60 @@ ShadingColours shadingColours(Palette palette) {
   return colours;
 }
 
-QImage paintSurface(const SurfacePicture& picture, const QSize& size) {
+QImage paintSurface(const SurfacePicture& picture, const QSize& size, double ratio) {
   if (!picture.surface) {
     QImage empty(size, QImage::Format_RGB32);
     const Rgb background = sceneColours(picture.palette).background;
     empty.fill(qRgb(background.r, background.g, background.b));
     return empty;
   }
-  return Painter(picture, size).paint();
+  return Painter(picture, size, ratio).paint();
 }
 
 namespace {
 
 /// With what the window has above it: marks, and the legend of its colours.
-QImage paintWithMarks(const SurfacePicture& picture, const QSize& size) {
+QImage paintWithMarks(const SurfacePicture& picture, const QSize& size, double ratio) {
   constexpr int kMargin = 10;
-  QImage image = paintSurface(picture, size);
+  QImage image = paintSurface(picture, size, ratio);
   if (!picture.surface) return image;
   QPainter painter(&image);
+  painter.scale(ratio, ratio);
+  const QRectF bounds(0.0, 0.0, size.width() / ratio, size.height() / ratio);  // of the window
   const Projection projection = orbitProjection(picture.setting.camera, picture.surface->ballRadius,
-                                                size.width(), size.height());
-  paintFigure(painter, {.width = static_cast<double>(size.width()),
-                        .height = static_cast<double>(size.height()),
+                                                bounds.width(), bounds.height());
+  paintFigure(painter, {.width = bounds.width(),
+                        .height = bounds.height(),
                         .background = std::nullopt,
                         .groups = markGroups(picture, projection, picture.lineScale)});
   const SceneColours& colours = sceneColours(picture.palette);
   painter.setPen(toQColor(colours.text));
   painter.setBackground(toQColor(colours.background));
-  paintLegend(painter, image.rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture);
+  paintLegend(painter, bounds.toRect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture);
   return image;
 }
 
 }  // namespace
 
-QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size) {
-  if (pictures.size() == 1) return paintWithMarks(pictures.front(), size);
+QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size, double ratio) {
+  if (pictures.size() == 1) return paintWithMarks(pictures.front(), size, ratio);
   QImage all(size, QImage::Format_RGB32);
   const SceneColours& colours = sceneColours(pictures.front().palette);
   all.fill(toQColor(colours.background));
   QPainter painter(&all);
   painter.setPen(toQColor(colours.text));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const CellPlace place = cellPlace(i, pictures.size(), size.width(), size.height());
-    const QRect cell = QRectF(place.left, place.top, place.width, place.height).toRect();
-    painter.drawImage(cell.topLeft(), paintWithMarks(pictures[i], cell.size()));
-    const int row = qRound(place.titleHeight);
-    painter.drawText(QRect(cell.left() + 4, cell.top() - row, cell.width() - 8, row),
+    const CellPlace place =
+        cellPlace(i, pictures.size(), size.width() / ratio, size.height() / ratio);
+    const QRectF there(place.left, place.top, place.width, place.height);
+    const QRect cell(
+        QPoint(qRound(there.left() * ratio), qRound(there.top() * ratio)),
+        QSize(qRound(there.width() * ratio), qRound(there.height() * ratio)).expandedTo({1, 1}));
+    painter.resetTransform();
+    painter.drawImage(cell.topLeft(), paintWithMarks(pictures[i], cell.size(), ratio));
+    painter.scale(ratio, ratio);
+    painter.drawText(QRectF(there.left() + 4.0, there.top() - place.titleHeight,
+                            there.width() - 8.0, place.titleHeight),
                      Qt::AlignLeft | Qt::AlignVCenter, QString::fromStdString(pictures[i].title));
   }
   return all;

@@ -51,6 +51,9 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture);
 /// What a part of a difference looks like, by SeenDifference::Part.
 Rgb differenceColour(std::size_t part, Palette palette);
 
+/// Adds the marks of bridges that are about its surface, in the colours of its palette.
+void addMarks(SurfacePicture& picture, Bridges& bridges);
+
 /// What all views show now, the first one first.
 std::vector<SurfacePicture> picturesOf(const SurfaceModels& models);
 
@@ -71,11 +74,12 @@ inline constexpr float kDashPx = 4.0f;  ///< of hidden lines: a dash, and a gap,
 inline constexpr float kHiddenInk = 0.5f;  ///< opacity of lines that are hidden, dashed or not
 
 /// The picture without OpenGL, the same but for the smoothing of edges. Works in any thread and at
-/// any size; about 50 ms a megapixel.
-QImage paintSurface(const SurfacePicture& picture, const QSize& size);
+/// any size; about 50 ms a megapixel. Lines are `ratio` times as wide as they are in the window.
+QImage paintSurface(const SurfacePicture& picture, const QSize& size, double ratio = 1.0);
 
 /// Several of them side by side, with their titles (figure_cells.h), and with what the window has
-/// above them: marks and legends.
-QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size);
+/// above them: marks and legends. `size` in pixels, of which `ratio` are one of the window.
+QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size,
+                     double ratio = 1.0);
 
 }  // namespace flatland::ui

@@ -28,8 +28,8 @@ class MeshPlaces {
 
   /// The nearest hit in front of `from` along the unit vector `along`; for an orthographic view,
   /// from where `from` is any point of the line, give `wholeLine`. All in coordinates of the mesh.
-  /// The place is exact to a few roundings of floats, 1e-5; a line through a vertex or an edge
-  /// gives one of the triangles there. nullopt if it meets none.
+  /// Found by floats and then set exactly; where the line passes within 1e-6 of a rim or an
+  /// outline, a neighbouring triangle may be taken for the one that it meets. nullopt if none.
   std::optional<SurfaceHit> firstHit(const Eigen::Vector3d& from, const Eigen::Vector3d& along,
                                      bool wholeLine) const;
 

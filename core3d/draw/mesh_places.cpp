@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core3d/lines/mesh_places.h"
+#include "core3d/draw/mesh_places.h"
 
 #include <embree3/rtcore.h>
 
@@ -59,6 +59,19 @@ std::array<double, 3> onSide(const std::array<Vector3d, 3>& corners, std::size_t
   weights[i] = 1.0 - share;
   weights[j] = share;
   return weights;
+}
+
+/// Weights of the corners where a line goes through the triangle, if it does.
+std::optional<std::array<double, 3>> crossing(const std::array<Vector3d, 3>& corners,
+                                              const Vector3d& from, const Vector3d& along) {
+  // from + s along = a + u ab + v ac, by Cramer's rule.
+  const Vector3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+  const Vector3d across = along.cross(ac), away = from - corners[0];
+  const double volume = ab.dot(across);
+  if (volume == 0.0) return std::nullopt;
+  const double u = away.dot(across) / volume, v = along.dot(away.cross(ab)) / volume;
+  if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0)) return std::nullopt;
+  return std::array<double, 3>{1.0 - u - v, u, v};
 }
 
 std::array<Vector3d, 3> cornersOf(const TriangleMesh& mesh, std::uint32_t triangle) {
@@ -167,11 +180,15 @@ std::optional<SurfaceHit> MeshPlaces::firstHit(const Vector3d& from, const Vecto
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(state_->scene.get(), &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const std::array<Vector3d, 3> corners = cornersOf(*state_->mesh, ray.hit.primID);
+  if (const auto weights = crossing(corners, from, along)) {
+    return SurfaceHit{ray.hit.primID, *weights, placeAt(corners, *weights)};
+  }
+  // Past the rim by a rounding.
   const double u = std::clamp(static_cast<double>(ray.hit.u), 0.0, 1.0);
   const double v = std::clamp(static_cast<double>(ray.hit.v), 0.0, 1.0 - u);
-  SurfaceHit hit{ray.hit.primID, {1.0 - u - v, u, v}, {}};
-  hit.at = placeAt(cornersOf(*state_->mesh, hit.triangle), hit.weights);
-  return hit;
+  const std::array<double, 3> weights{1.0 - u - v, u, v};
+  return SurfaceHit{ray.hit.primID, weights, placeAt(corners, weights)};
 }
 
 std::optional<SurfaceHit> MeshPlaces::nearest(const Vector3d& p) const {
