@@ -49,6 +49,17 @@ class SurfaceReadingTest : public QObject {
     QVERIFY(!button("surface.go-on").isVisible());
   }
 
+  void keysGiveUpAndGoOn() {
+    openUntilEstimating(kLarge);
+    button("surface.cancel").setFocus();
+    driver_->key(Qt::Key_Space);
+    QVERIFY(!source().isBusy());
+    button("surface.go-on").setFocus();
+    driver_->key(Qt::Key_Space);
+    QVERIFY(source().isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(source().surface()->fields, kPatienceMs);
+  }
+
   void anotherSmoothnessBeginsAgain() {
     openUntilEstimating(kLarge);
     press("surface.cancel");
