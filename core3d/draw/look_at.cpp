@@ -69,10 +69,8 @@ class Looker {
 
  private:
   static SightPoint pointOf(const ScreenChain& line, const ScreenChain::Point& p) {
-    const std::uint32_t other = line.chain.otherOf(p.piece);
-    const bool interpolated = other == TriangleMesh::kNone && !followsTheMesh(line.chain.family);
-    return {p.at, line.chain.triangles[p.piece], interpolated, other,
-            line.chain.family == LineFamily::OccludingContours};
+    return {p.at, line.chain.triangles[p.piece], !followsTheMesh(line.chain.family),
+            line.chain.otherOf(p.piece), line.chain.family == LineFamily::OccludingContours};
   }
 
   double unitsPerPx(const Vector3d& at) const {
@@ -90,18 +88,24 @@ class Looker {
     return sight_.empty(point, point.at + step, view_);
   }
 
-  // A contour has the surface on one side, so background can only be where its normal points; along
-  // a sharp edge that says nothing, and a boundary may have it on either side.
+  // A contour has the surface on one side, so background can only be where its normal points. Along
+  // a sharp edge that says nothing; there it is where neither triangle is, if both are on one side.
+  // A boundary may have it on either side.
   bool isOutline(const ScreenChain& line, const ScreenChain::Point& p, const SightPoint& point,
                  double distance) {
     const Vector3d w = view_.towardsViewer(p.at);
-    if (point.interpolated) {
+    if (point.contour && point.other == TriangleMesh::kNone) {
       const Vector3d n = sight_.outwardAt(point, view_);
       return emptyBeside(point, distance * (n - n.dot(w) * w).stableNormalized());
     }
     const auto& points = line.chain.points;
     const Vector3d along = (points[(p.piece + 1) % points.size()] - points[p.piece]).cast<double>();
     const Vector3d across = distance * along.cross(w).stableNormalized();
+    if (point.other != TriangleMesh::kNone) {
+      const double side = across.dot(sight_.middleOf(point.triangle) - p.at);
+      if (side * across.dot(sight_.middleOf(point.other) - p.at) > 0.0)
+        return emptyBeside(point, side > 0.0 ? -across : across);
+    }
     return emptyBeside(point, across) || emptyBeside(point, -across);
   }
 

@@ -37,6 +37,9 @@ const double kCreasedCosine = cosineOfDeg(kCreaseDeg);
 // One plus the cosine between the normals of two sheets. Down to it, which is at 151 degrees, a
 // place as far from both is at most four times as far from the line where they meet.
 constexpr double kLeastOpening = 0.125;
+// Of the offset: half a px is what a dense mesh's roughness is allowed, but where both triangles
+// are known on whose outside a line lies it may be exact.
+constexpr double kShareOffBoth = 0.2;
 // Far outside of every mesh, whose coordinates lie in [-1, 1].
 constexpr double kFarOutside = 8.0;
 
@@ -247,9 +250,23 @@ Vector3d Sight::outwardAt(const SightPoint& point, const SurfaceView& view) cons
   return bending < 0.0f ? Vector3d(-normal) : normal;
 }
 
+Vector3d Sight::middleOf(std::uint32_t triangle) const {
+  const auto& [a, b, c] = state_->mesh->triangles[triangle];
+  const TriangleMesh& mesh = *state_->mesh;
+  return ((mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3.0f).cast<double>();
+}
+
 bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offset) const {
   const TriangleMesh& mesh = *state_->mesh;
   const Vector3d w = view.towardsViewer(point.at);
+  if (point.interpolated && point.other != TriangleMesh::kNone) {
+    // Facets of a coarse mesh stick out over such edges as over the rest of the line.
+    const double first = crossOf(mesh, point.triangle).stableNormalized().dot(w),
+                 second = crossOf(mesh, point.other).stableNormalized().dot(w);
+    const std::uint32_t front = first >= second ? point.triangle : point.other;
+    const SightPoint smooth{point.at, front, true, TriangleMesh::kNone, point.contour};
+    if (std::max(first, second) > 0.0 && !hidden(smooth, view, offset)) return false;
+  }
   Context context{};
   context.mesh = &mesh;
   context.folds = &state_->folds;
@@ -258,7 +275,7 @@ bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offs
   context.touchingNeighbour = kTouchingNeighbour;
   Vector3d origin;
   if (point.other != TriangleMesh::kNone) {
-    origin = outsideBoth(mesh, point, w, offset);
+    origin = outsideBoth(mesh, point, w, kShareOffBoth * offset);
   } else {
     Vector3d normal = outwardAt(point, view);
     const bool turned = normal.dot(normalAt(point)) < 0.0;

@@ -20,7 +20,8 @@ struct SightPoint {
   /// where that surface does not turn away, neighbouring triangles do not hide the point.
   bool interpolated;
   /// The second triangle that it lies in, if any: beyond an edge that it lies on, or of the sheet
-  /// that crosses the first one there. It is looked at from the viewer's side of both.
+  /// that crosses the first one there. It is looked at from the viewer's side of both, and if the
+  /// line is interpolated elsewhere, also as there from the triangle that is turned to him.
   std::uint32_t other = TriangleMesh::kNone;
   bool contour = false;  ///< of an occluding contour: the smooth surface folds over there
 };
@@ -35,7 +36,7 @@ struct SightPoint {
 ///   and within about twice the triangle's size. A contour lies between front and back, and the
 ///   facets beside it stick out over the smooth outline.
 /// Besides, the ray starts a little off the surface, on the viewer's side: by `offset` along its
-/// normal, or so far from both sheets, but no farther than four times as much.
+/// normal, or by a fifth of it off both triangles, as nothing has to be allowed for there.
 ///
 /// The structure for rays is built once (MeshPlaces), or lent. Whatever is given must outlive it.
 /// Asking is const and may be done by several threads, each with a FlushDenormals.
@@ -61,6 +62,8 @@ class Sight {
   /// it faces away, and at a contour, where it does neither, if the surface is concave along the
   /// view. Elsewhere it points out of the body as it is.
   Eigen::Vector3d outwardAt(const SightPoint& point, const SurfaceView& view) const;
+
+  Eigen::Vector3d middleOf(std::uint32_t triangle) const;  ///< its centroid
 
  private:
   struct State;
