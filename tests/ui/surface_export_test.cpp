@@ -435,9 +435,10 @@ class SurfaceExportTest : public QObject {
   void theCommandOfAPictureMakesItAgain() {
     QFETCH(QString, style);
     SurfaceSetting setting = *driver_->scene().surface;
-    setting.camera.towards = Eigen::Vector3d(0.3, -0.5, 0.8).normalized();
-    setting.camera.zoom = 1.3;
-    setting.camera.centre = Eigen::Vector3d(0.1, -0.05, 0.02);
+    SurfaceCamera camera = setting.camera;
+    camera.towards = Eigen::Vector3d(0.3, -0.5, 0.8).normalized();
+    camera.zoom = 1.3;
+    camera.centre = Eigen::Vector3d(0.1, -0.05, 0.02);
     if (style == "hidden") {
       setting.hidden = "dashed";
       SurfaceFamily isophotes = familyOf(setting, LineFamily::Isophotes);
@@ -445,7 +446,7 @@ class SurfaceExportTest : public QObject {
       setting = withFamily(std::move(setting), isophotes);
       setting.isophotes = 4;
     }
-    if (style == "perspective") setting.camera.perspectiveDeg = 35.0;
+    if (style == "perspective") camera.perspectiveDeg = 35.0;
     if (style == "unfiltered") setting.unfiltered = true;
     if (style == "smooth") {
       setting.fitScale = 2.0;
@@ -454,6 +455,8 @@ class SurfaceExportTest : public QObject {
       setting = withFamily(std::move(setting), ridges);
     }
     push(setting);
+    driver_->document().setCamera(camera);
+    QVERIFY(quiet());
     const QString name = driver_->path("it's one.svg");
     driver_->window().surfaces().exporter().exportTo(name, {640, 480});
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(name), kPatienceMs);
