@@ -16,6 +16,7 @@
 #include "core3d/io/read_mesh.h"
 #include "core3d/mesh/build_mesh.h"
 #include "tests/core3d/example_meshes.h"
+#include "tests/core3d/prism.h"
 #include "tests/support/seed.h"
 
 namespace flatland::test {
@@ -185,22 +186,12 @@ TriangleMesh roughSphere(int cells, double roughness, Random& random) {
 
 // A flat can about z with few sides, with lids.
 TriangleMesh can(std::uint32_t sides) {
-  PolygonSoup soup;
-  std::vector<std::uint32_t> lid, floor;
+  std::vector<Vector2d> round;
   for (std::uint32_t i = 0; i < sides; ++i) {
     const double turn = 2.0 * std::numbers::pi * i / sides;
-    for (const double z : {-0.2, 0.2}) soup.addVertex(std::cos(turn), std::sin(turn), z);
+    round.emplace_back(std::cos(turn), std::sin(turn));
   }
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t next = (i + 1) % sides;
-    const std::uint32_t wall[] = {2 * i, 2 * next, 2 * next + 1, 2 * i + 1};
-    soup.addPolygon(wall);
-    lid.push_back(2 * i + 1);
-    floor.push_back(2 * (sides - 1 - i));
-  }
-  soup.addPolygon(lid);
-  soup.addPolygon(floor);
-  return buildMesh(soup).mesh;
+  return prism(round, -0.2, 0.2);
 }
 
 TEST(Outline, OfARoughSphereIsClosed) {

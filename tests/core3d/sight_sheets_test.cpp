@@ -13,32 +13,13 @@
 #include "core3d/draw/sight.h"
 #include "core3d/mesh/build_mesh.h"
 #include "tests/core3d/lines_check.h"
+#include "tests/core3d/prism.h"
 #include "tests/support/seed.h"
 
 namespace flatland::test {
 namespace {
 
 using Eigen::Vector3d;
-
-// Pushes a polygon along z from 0 to 1; its corners counter-clockwise seen from z.
-TriangleMesh prism(const std::vector<Eigen::Vector2d>& polygon) {
-  PolygonSoup soup;
-  std::vector<std::uint32_t> lid, floor;
-  const auto count = static_cast<std::uint32_t>(polygon.size());
-  for (const Eigen::Vector2d& p : polygon) {
-    for (const double z : {0.0, 1.0}) soup.addVertex(p.x(), p.y(), z);
-  }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t next = (i + 1) % count;
-    const std::uint32_t wall[] = {2 * i, 2 * next, 2 * next + 1, 2 * i + 1};
-    soup.addPolygon(wall);
-    lid.push_back(2 * i + 1);
-    floor.push_back(2 * (count - 1 - i));
-  }
-  soup.addPolygon(lid);
-  soup.addPolygon(floor);
-  return buildMesh(soup).mesh;
-}
 
 struct Lengths {
   double visible = 0.0, hidden = 0.0;
