@@ -433,6 +433,20 @@ class BridgingTest : public QObject, private BridgingWindow {
     typeFileName(d.path("bridge.csv"));
     QTest::mouseClick(&d.child<QPushButton>("bridge.study.export"), Qt::LeftButton);
     QVERIFY(QFile::exists(d.path("bridge.csv")));
+    // Of another curve it is shown as such, of another sweep not at all.
+    auto& diagram = d.child<QWidget>("bridge.study.diagram");
+    auto& old = d.child<QLabel>("bridge.study.old");
+    QVERIFY(!diagram.isHidden() && old.isHidden());
+    d.drag(d.atPoint(1), d.atPoint(1) + QPoint(15, 10));
+    QVERIFY(quiet());
+    QVERIFY(!diagram.isHidden() && !old.isHidden());
+    d.document().undoStack().undo();
+    QVERIFY(quiet());
+    QVERIFY(!diagram.isHidden() && old.isHidden());
+    d.trigger("surface.revolve");
+    QVERIFY(quiet());
+    QVERIFY(diagram.isHidden() && old.isHidden());
+    QVERIFY(!d.child<QPushButton>("bridge.study.export").isEnabled());
   }
 
  private:

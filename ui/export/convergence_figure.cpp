@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLeftPx = 64.0, kRightPx = 16.0, kTopPx = 16.0, kBottomPx = 48.0;
 constexpr double kLegendLinePx = 18.0, kTitleLinePx = 15.0;
-constexpr double kLegendKeyPx = 30.0;
+constexpr double kLegendKeyPx = 30.0, kKeyGapPx = 8.0;
 
 struct Range {
   double low, high;  // decades
@@ -49,16 +49,30 @@ class Builder : FigureBuilder {
                 {inWords(options_.words, subject)});
     const std::vector<std::string> lines =
         wrapped(title, options_.textPx, options_.width - kLeftPx - kRightPx);
-    bottom_ = options_.height - kBottomPx - kLegendLinePx * static_cast<double>(all.size()) -
+    std::vector<std::vector<std::string>> legend;
+    double legendPx = 0.0;
+    for (const ConvergenceSeries& series : all) {
+      legend.push_back(wrapped(legendText(series), options_.textPx,
+                               options_.width - kLeftPx - kLegendKeyPx - kKeyGapPx - kRightPx));
+      legendPx += heightOf(legend.back());
+    }
+    bottom_ = options_.height - kBottomPx - legendPx -
               kTitleLinePx * static_cast<double>(lines.size() - 1);
     addAxes(lines);
     addEdgeLine();
-    for (std::size_t i = 0; i < all.size(); ++i) addSeries(all[i], i);
+    double y = options_.height - legendPx - 2.0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      addSeries(all[i], legend[i], y);
+      y += heightOf(legend[i]);
+    }
     return std::move(figure_);
   }
 
  private:
   static double distanceOf(const ConvergenceRow& row) { return row.medianEdges * row.edge; }
+  static double heightOf(const std::vector<std::string>& legend) {
+    return kLegendLinePx + kTitleLinePx * static_cast<double>(legend.size() - 1);
+  }
   static bool isDrawn(const ConvergenceRow& row) {
     return std::isfinite(row.medianEdges) && row.medianEdges > 0.0;
   }
@@ -150,7 +164,21 @@ class Builder : FigureBuilder {
     }
   }
 
-  void addSeries(const ConvergenceSeries& series, std::size_t index) {
+  std::string legendText(const ConvergenceSeries& series) const {
+    const auto word = [this](std::string_view english) {
+      return inWords(options_.words, std::string(english));
+    };
+    std::string text = inWords(options_.words, "%1 curvature, %2 derivative",
+                               {word(nameOf(series.estimator)), word(nameOf(series.derivative))});
+    if (!series.order) return text;
+    std::array<char, 64> order{};
+    std::snprintf(order.data(), order.size(), "%.2f", *series.order);
+    return text + inWords(options_.words, ", order %1", {order.data()});
+  }
+
+  /// `top`: of its lines in the legend.
+  void addSeries(const ConvergenceSeries& series, const std::vector<std::string>& legend,
+                 double top) {
     const SeriesStyle style = styleOfSeries(series);
     const std::string name =
         std::string(nameOf(series.estimator)) + "-" + std::string(nameOf(series.derivative));
@@ -170,18 +198,13 @@ class Builder : FigureBuilder {
     if (places.size() > 1) lines.shapes.emplace_back(PathShape{std::move(path), {}, stroke});
     for (const Vec2& place : places) addSymbol(lines, place, style);
 
-    const double y = options_.height - kLegendLinePx * (static_cast<double>(index) + 0.5) - 2.0;
+    double y = top + 0.5 * kLegendLinePx;
     addLine(lines, {kLeftPx, y}, {kLeftPx + kLegendKeyPx, y}, stroke);
     addSymbol(lines, {kLeftPx + 0.5 * kLegendKeyPx, y}, style);
-    std::array<char, 64> order{};
-    if (series.order) std::snprintf(order.data(), order.size(), "%.2f", *series.order);
-    const auto word = [this](std::string_view english) {
-      return inWords(options_.words, std::string(english));
-    };
-    std::string text = inWords(options_.words, "%1 curvature, %2 derivative",
-                               {word(nameOf(series.estimator)), word(nameOf(series.derivative))});
-    if (series.order) text += inWords(options_.words, ", order %1", {order.data()});
-    addText(lines, {kLeftPx + kLegendKeyPx + 8.0, y}, text, TextShape::Anchor::Start);
+    for (const std::string& line : legend) {
+      addText(lines, {kLeftPx + kLegendKeyPx + kKeyGapPx, y}, line, TextShape::Anchor::Start);
+      y += kTitleLinePx;
+    }
   }
 
   const ConvergenceFigureOptions& options_;

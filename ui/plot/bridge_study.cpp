@@ -2,6 +2,7 @@
 #include "ui/plot/bridge_study.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
@@ -84,6 +85,9 @@ BridgeStudy::BridgeStudy(const Document& document, const BridgeSource& bridge,
   progress_->setObjectName("bridge.study.progress");
   progress_->setAccessibleName(tr("Progress"));
   progress_->setRange(0, 100);
+  old_ = new QLabel(tr("Of the curve and the view as they were."), this);
+  old_->setObjectName("bridge.study.old");
+  old_->setWordWrap(true);
   diagram_ = new Diagram(*this, display);
   auto* row = new QHBoxLayout;
   row->addWidget(run_);
@@ -93,6 +97,7 @@ BridgeStudy::BridgeStudy(const Document& document, const BridgeSource& bridge,
   layout->setContentsMargins({});
   layout->addLayout(row);
   layout->addWidget(progress_);
+  layout->addWidget(old_);
   layout->addWidget(diagram_, 1);
   connect(&bridge_, &BridgeSource::changed, this, &BridgeStudy::showState);
   connect(&job_, &Job::runningChanged, this, &BridgeStudy::showState);
@@ -129,6 +134,11 @@ void BridgeStudy::start() {
       });
 }
 
+bool BridgeStudy::isOfThisSweep() const {
+  const auto& surface = document_.scene().surface;
+  return data_ && surface && surface->swept && data_->scene.surface->swept == surface->swept;
+}
+
 void BridgeStudy::showState() {
   const auto& view = bridge_.view();
   run_->setText(isRunning() ? tr("Cancel") : tr("&Study resolutions"));
@@ -136,13 +146,17 @@ void BridgeStudy::showState() {
                                : tr("Measure the distance on meshes of 16 to 256 cells, for both "
                                     "estimators of curvature and both ways to the derivative"));
   run_->setEnabled(isRunning() || (view && view->prediction.flat().view));
-  export_->setEnabled(data_ != nullptr);
+  // Of an extrusion it says nothing about a revolution; of another curve something to compare with.
+  const Scene& now = document_.scene();
+  const bool shown = isOfThisSweep();
+  export_->setEnabled(shown);
   progress_->setVisible(isRunning());
-  diagram_->setVisible(data_ != nullptr);
+  old_->setVisible(shown && !(data_->scene.curves == now.curves && data_->scene.view == now.view));
+  diagram_->setVisible(shown);
 }
 
 void BridgeStudy::exportDiagram() {
-  if (!data_) return;
+  if (!isOfThisSweep()) return;
   // A study that ends while the dialog is open does not change what is written.
   const QString text =
       exportFigureFile(this, {.suggestedName = tr("bridge"),

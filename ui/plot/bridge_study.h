@@ -40,6 +40,8 @@ class BridgeStudy : public QWidget {
   void said(const QString& text);
 
  private:
+  /// Whether there is a study, and of the sweep there is now.
+  bool isOfThisSweep() const;
   void start();
   void showState();
   void exportDiagram();
@@ -51,6 +53,7 @@ class BridgeStudy : public QWidget {
   QPushButton* run_;
   QPushButton* export_;
   QProgressBar* progress_;
+  QLabel* old_;  ///< says that the curve or the view was another
   class Diagram;
   Diagram* diagram_;
 };
