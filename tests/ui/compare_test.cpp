@@ -3,6 +3,7 @@
 // keys.
 #include <Eigen/Geometry>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QPainter>
@@ -92,6 +93,36 @@ class CompareTest : public QObject {
     const SurfaceSetting two = withPreset(setting, ComparePreset::SecondCamera);
     QVERIFY(std::abs(paneCamera(two, 1).towards.dot(setting.camera.towards)) < 1e-12);
     QCOMPARE(paneCamera(two, 1).zoom, 2.0);
+  }
+
+  void oneViewHasTheLinesOfBefore() {
+    open();
+    const auto drawn = [this] {
+      std::vector<bool> on;
+      for (const LineFamily family : allLineFamilies()) {
+        on.push_back(familyOf(*driver_->scene().surface, family).on);
+      }
+      return on;
+    };
+    driver_->document().push(std::make_unique<SetSurface>(
+        driver_->document(),
+        withFamilyOn(*driver_->scene().surface, 0, LineFamily::SuggestiveContours, true), "lines"));
+    const auto before = drawn();
+    for (const char* id : {"surface.compare.families", "surface.compare.two",
+                           "surface.compare.derivatives", "surface.compare.difference"}) {
+      driver_->trigger(id);
+      QVERIFY(drawn() != before);
+    }
+    driver_->trigger("surface.compare.one");
+    QVERIFY(drawn() == before);
+    // What a person chose meanwhile stays.
+    driver_->trigger("surface.compare.families");
+    driver_->document().push(std::make_unique<SetSurface>(
+        driver_->document(), withFamilyOn(*driver_->scene().surface, 0, LineFamily::Valleys, true),
+        "lines"));
+    const auto chosen = drawn();
+    driver_->trigger("surface.compare.one");
+    QVERIFY(drawn() == chosen);
   }
 
   void oneHandMovesAllViews() {
@@ -354,10 +385,18 @@ class CompareTest : public QObject {
     QVERIFY(quiet());
     QTest::mouseClick(&driver_->child<QAbstractButton>("families.ink"), Qt::LeftButton, {}, {8, 8});
     QVERIFY(quiet());
-    // What there is of lines must be more.
+    // What there is of lines must be more. Where it is not, the panel says so, and how much it is.
+    const auto& missed = driver_->child<QLabel>("families.ink.missed");
+    const auto reached = [this](std::size_t pane) { return views().ink().of(pane)->reached; };
+    QVERIFY(!reached(0) && views().ink().of(0)->share < 0.04);
+    QVERIFY(!missed.isHidden());
+    const QString share = QString::number(100.0 * views().ink().of(0)->share, 'f', 1);
+    QVERIFY2(missed.text().startsWith("View 1: All lines of these families give " + share),
+             qPrintable(missed.text() + " " + share));
     driver_->child<QDoubleSpinBox>("families.ink.share").setValue(1.0);
     QVERIFY(quiet());
     QCOMPARE(driver_->scene().surface->ink, std::optional(0.01));
+    QCOMPARE(missed.isHidden(), reached(0) && reached(1) && reached(2) && reached(3));
     const SurfaceModels models = driver_->window().surfaceModels();
     const LoadedSurface& surface = *models.source.surface();
     Draughtsman draughtsman(*surface.mesh, *surface.fields);

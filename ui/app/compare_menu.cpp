@@ -20,18 +20,23 @@ struct CompareMenuWords {
 
 void buildCompareMenu(QMenu& menu, const MenuParts& parts) {
   Document& document = parts.models.document;
+  auto comparison = std::make_shared<Comparison>();
+  QObject::connect(&document, &Document::changed, &menu, [comparison](const Change& change) {
+    if (change.what == Change::What::Scene) *comparison = {};
+  });
   const auto add = [&](const char* id, const QString& text, const QString& tip,
                        ComparePreset preset) {
-    addAction(menu, {id, text, tip}, [&document, preset] {
+    addAction(menu, {id, text, tip}, [&document, comparison, preset] {
       const auto& setting = document.scene().surface;
       if (!setting) return;
-      document.push(std::make_unique<SetSurface>(document, withPreset(*setting, preset),
+      document.push(std::make_unique<SetSurface>(document, comparison->compared(*setting, preset),
                                                  CompareMenuWords::tr("compare views")));
     });
   };
   const QString side = CompareMenuWords::tr("Views of the surface side by side");
   add("surface.compare.one", CompareMenuWords::tr("&One View"),
-      CompareMenuWords::tr("Only the first view of the surface"), ComparePreset::OneView);
+      CompareMenuWords::tr("Only the first view, with the lines it had before comparing"),
+      ComparePreset::OneView);
   add("surface.compare.two", CompareMenuWords::tr("&Two Views"), side, ComparePreset::TwoViews);
   add("surface.compare.four", CompareMenuWords::tr("&Four Views"), side, ComparePreset::FourViews);
   menu.addSeparator();

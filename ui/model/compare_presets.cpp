@@ -31,7 +31,33 @@ SurfacePane oneRingPane() {
   return pane;
 }
 
+/// Which families the first view draws.
+std::vector<bool> drawnBy(const SurfaceSetting& setting) {
+  std::vector<bool> drawn;
+  for (const LineFamily family : allLineFamilies()) drawn.push_back(familyOf(setting, family).on);
+  return drawn;
+}
+
+SurfaceSetting drawing(SurfaceSetting setting, const std::vector<bool>& drawn) {
+  std::size_t i = 0;
+  for (const LineFamily family : allLineFamilies()) {
+    const bool on = drawn[i++];
+    if (on != familyOf(setting, family).on) setting = withFamilyOn(setting, 0, family, on);
+  }
+  return setting;
+}
+
 }  // namespace
+
+SurfaceSetting Comparison::compared(SurfaceSetting setting, ComparePreset preset) {
+  const std::vector<bool> now = drawnBy(setting);
+  const std::vector<bool> own = now == chosen_ ? before_ : now;
+  setting = withPreset(std::move(setting), preset);
+  if (preset == ComparePreset::OneView) setting = drawing(std::move(setting), own);
+  before_ = own;
+  chosen_ = drawnBy(setting);
+  return setting;
+}
 
 SurfaceSetting withPreset(SurfaceSetting setting, ComparePreset preset) {
   constexpr LineFamily kContours = LineFamily::OccludingContours;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "flatland/scene/surface_setting.h"
 
 namespace flatland::ui {
@@ -19,5 +21,18 @@ enum class ComparePreset {
 /// The setting with that arrangement; thresholds, colours and the camera of the first view stay.
 /// Views that are there already are kept by the first three, as many as there is room for.
 SurfaceSetting withPreset(SurfaceSetting setting, ComparePreset preset);
+
+/// Comparing one surface in several ways, one after the other. The families that were drawn before
+/// come back with one view, unless somebody has chosen others meanwhile.
+class Comparison {
+ public:
+  /// withPreset(), with that.
+  SurfaceSetting compared(SurfaceSetting setting, ComparePreset preset);
+
+ private:
+  // By family, in the order of allLineFamilies().
+  std::vector<bool> before_;
+  std::vector<bool> chosen_;  ///< by the last arrangement
+};
 
 }  // namespace flatland::ui

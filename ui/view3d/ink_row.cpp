@@ -4,9 +4,12 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 
 #include "ui/commands/scene_commands.h"
+#include "ui/view3d/picture_legend.h"
 
 namespace flatland::ui {
 
@@ -21,7 +24,8 @@ InkRow::InkRow(const SurfaceModels& models, QWidget* parent)
     : QWidget(parent),
       models_(models),
       on_(new QCheckBox(tr("&Equal ink"), this)),
-      share_(new QDoubleSpinBox(this)) {
+      share_(new QDoubleSpinBox(this)),
+      missed_(new QLabel(this)) {
   on_->setObjectName("families.ink");
   on_->setToolTip(
       tr("In every view one factor on the thresholds is solved for, so that its drawing covers "
@@ -35,11 +39,16 @@ InkRow::InkRow(const SurfaceModels& models, QWidget* parent)
   share_->setSuffix(QStringLiteral(" %"));
   share_->setKeyboardTracking(false);
   share_->setValue(kUsualPercent);
-  auto* layout = new QHBoxLayout(this);
+  missed_->setObjectName("families.ink.missed");
+  missed_->setWordWrap(true);
+  auto* row = new QHBoxLayout;
+  row->addWidget(on_);
+  row->addWidget(share_);
+  row->addStretch(1);
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins({});
-  layout->addWidget(on_);
-  layout->addWidget(share_);
-  layout->addStretch(1);
+  layout->addLayout(row);
+  layout->addWidget(missed_);
   connect(on_, &QCheckBox::toggled, this,
           [this](bool on) { edit(on ? std::optional(share_->value() / 100.0) : std::nullopt); });
   connect(share_, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
@@ -48,7 +57,24 @@ InkRow::InkRow(const SurfaceModels& models, QWidget* parent)
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (change.touchesSurface()) showSetting();
   });
+  connect(&models_.views.ink(), &InkSource::changed, this, &InkRow::showMissed);
   showSetting();
+}
+
+void InkRow::showMissed() {
+  const auto& setting = models_.document.scene().surface;
+  QStringList lines;
+  for (std::size_t pane = 0; setting && setting->ink && pane < models_.views.count(); ++pane) {
+    const PaneInk* ink = models_.views.ink().of(pane);
+    if (!ink || ink->reached) continue;
+    const QString share = percentWords(ink->share);
+    const QString line = ink->share < *setting->ink
+                             ? tr("All lines of these families give %1 % only.").arg(share)
+                             : tr("Lines that have no threshold give %1 % already.").arg(share);
+    lines << (models_.views.count() > 1 ? tr("View %1: %2").arg(pane + 1).arg(line) : line);
+  }
+  missed_->setText(lines.join('\n'));
+  missed_->setVisible(!lines.isEmpty());
 }
 
 void InkRow::showSetting() {
@@ -58,6 +84,7 @@ void InkRow::showSetting() {
   on_->setChecked(ink.has_value());
   share_->setEnabled(ink.has_value());
   if (ink) share_->setValue(100.0 * *ink);
+  showMissed();
 }
 
 void InkRow::edit(const std::optional<double>& share) {

@@ -7,10 +7,12 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QLabel;
 
 namespace flatland::ui {
 
-/// Whether all views are to have the same ink, and how much. Every choice is an undo step.
+/// Whether all views are to have the same ink, and how much; which of them cannot. Every choice is
+/// an undo step.
 class InkRow : public QWidget {
   Q_OBJECT
 
@@ -19,11 +21,13 @@ class InkRow : public QWidget {
 
  private:
   void showSetting();
+  void showMissed();
   void edit(const std::optional<double>& share);
 
   SurfaceModels models_;
   QCheckBox* on_;
   QDoubleSpinBox* share_;
+  QLabel* missed_;
 };
 
 }  // namespace flatland::ui

@@ -26,40 +26,53 @@ void change(const SurfaceModels& models, const QString& text,
   models.document.push(std::make_unique<SetSurface>(models.document, std::move(setting), text));
 }
 
-QAction* addSwitch(QMenu& menu, const char* id, const QString& text, bool on,
-                   std::function<void()> act) {
-  QAction* action = menu.addAction(text);
-  action->setObjectName(id);
+struct SwitchText {
+  QString id, text, tip;
+};
+
+void addSwitch(QMenu& menu, const SwitchText& text, bool on, std::function<void()> act) {
+  QAction* action = menu.addAction(text.text);
+  action->setObjectName(text.id);
+  action->setToolTip(text.tip);
+  action->setStatusTip(text.tip);
   action->setCheckable(true);
   action->setChecked(on);
   QObject::connect(action, &QAction::triggered, &menu, std::move(act));
-  return action;
 }
 
 QString titleOf(LineFamily family) { return coreWords(std::string(lineTitle(family))); }
 
 void addOwnChoices(QMenu& menu, const SurfaceModels& models, const PaneSetting& now) {
   const std::size_t index = models.pane - 1;
-  addSwitch(menu, "pane.families.first", PaneWords::tr("Families of the First View"),
+  addSwitch(menu,
+            {"pane.families.first", PaneWords::tr("Families of the First View"),
+             PaneWords::tr("Draw the lines that the first view draws")},
             !models.document.scene().surface->panes[index].families, [models, index] {
               change(models, PaneWords::tr("change view"),
                      [index](SurfaceSetting& setting) { setting.panes[index].families.reset(); });
             });
   const bool oneRing = now.derivative == RidgeDerivative::OneRing;
-  addSwitch(menu, "pane.one-ring", PaneWords::tr("Derivative from Neighbours, as in the Thesis"),
+  addSwitch(menu,
+            {"pane.one-ring", PaneWords::tr("Derivative from Neighbours, as in the Thesis"),
+             PaneWords::tr("Apparent ridges by differences between neighbours; off: by the closed "
+                           "form")},
             oneRing, [models, index, oneRing] {
               change(models, PaneWords::tr("change view"), [index, oneRing](SurfaceSetting& s) {
                 s.panes[index].derivative = oneRing ? kClosedForm : kOneRing;
               });
             });
-  addSwitch(menu, "pane.difference", PaneWords::tr("Difference from the First View"),
+  addSwitch(menu,
+            {"pane.difference", PaneWords::tr("Difference from the First View"),
+             PaneWords::tr("Lines of both views, coloured by which of them has them")},
             now.difference, [models, index, difference = now.difference] {
               change(models, PaneWords::tr("change view"), [index, difference](SurfaceSetting& s) {
                 s.panes[index].shows = difference ? kShowsLines : kShowsDifference;
               });
             });
-  addSwitch(menu, "pane.camera", PaneWords::tr("Camera of Its Own"), now.ownCamera,
-            [models, index, own = now.ownCamera] {
+  addSwitch(menu,
+            {"pane.camera", PaneWords::tr("Camera of Its Own"),
+             PaneWords::tr("See the lines of the first view from elsewhere")},
+            now.ownCamera, [models, index, own = now.ownCamera] {
               change(models, PaneWords::tr("change view"), [index, own](SurfaceSetting& setting) {
                 if (own) {
                   setting.panes[index].camera.reset();
@@ -90,18 +103,20 @@ QString paneWords(const SurfaceModels& models) {
 
 void fillPaneMenu(QMenu& menu, const SurfaceModels& models) {
   menu.clear();
+  menu.setToolTipsVisible(true);
   if (!models.there()) return;
   const PaneSetting now = models.setting();
   for (const LineFamily family : allLineFamilies()) {
     const bool on = familyOf(now.surface, family).on;
-    QAction* action = addSwitch(menu, "", titleOf(family), on, [models, family, on] {
+    const std::string_view name = nameOf(family);
+    const QString id = QLatin1String(name.data(), static_cast<qsizetype>(name.size()));
+    const SwitchText text{"pane.family." + id, titleOf(family),
+                          PaneWords::tr("Draw these lines in this view")};
+    addSwitch(menu, text, on, [models, family, on] {
       change(models, PaneWords::tr("change lines"), [&](SurfaceSetting& setting) {
         setting = withFamilyOn(setting, models.pane, family, !on);
       });
     });
-    const std::string_view name = nameOf(family);
-    action->setObjectName(QStringLiteral("pane.family.") +
-                          QLatin1String(name.data(), static_cast<qsizetype>(name.size())));
   }
   if (models.pane == 0) return;
   menu.addSeparator();
