@@ -129,5 +129,12 @@ TEST(Palettes, StandOutFromTheirBackgrounds) {
   }
 }
 
+TEST(Palettes, OnBlackASilhouetteIsNoContour) {
+  const Rgb silhouette = lineColour(LineFamily::ExteriorSilhouette, Palette::HighContrast);
+  const Rgb contour = lineColour(LineFamily::OccludingContours, Palette::HighContrast);
+  EXPECT_GT(contrast(silhouette, sceneColours(Palette::HighContrast).background), 7.0);
+  EXPECT_GT((labOf(linear(silhouette)) - labOf(linear(contour))).norm(), 20.0);
+}
+
 }  // namespace
 }  // namespace flatland::ui

@@ -11,6 +11,8 @@ Rgb lineColour(LineFamily family, Palette palette) {
   const bool dark = palette != Palette::Light;
   switch (family) {
     case LineFamily::ExteriorSilhouette:
+      // On black one white is like the other, and the ways to darken it are taken.
+      return palette == Palette::HighContrast ? Rgb{0xFF, 0xF0, 0x70} : scene.text;
     case LineFamily::OccludingContours:
       return scene.text;
     case LineFamily::SuggestiveContours:

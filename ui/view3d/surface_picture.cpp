@@ -329,6 +329,9 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
   auto order = allLineFamilies();
   std::stable_partition(order.begin(), order.end(),
                         [](LineFamily family) { return !isOutline(family); });
+  // The silhouette is a part of the contours, and told from them only where it lies over them.
+  std::stable_partition(order.begin(), order.end(),
+                        [](LineFamily family) { return family != LineFamily::ExteriorSilhouette; });
   const SeenSurface& seen = *picture.seen;
   const bool knowsHidden =
       seen.surface->mesh == picture.surface->mesh &&
