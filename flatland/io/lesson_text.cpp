@@ -141,14 +141,16 @@ std::vector<std::string> familiesFrom(const Entry& entry) {
   return families;
 }
 
-std::string panelFrom(const Entry& entry) {
+/// One of the names that there are of a thing, called `what`.
+template <class Names>
+std::string nameFrom(const Entry& entry, const Names& names, const std::string& what) {
   const std::string id = entry.text();
   std::string known;
-  for (const std::string_view panel : kLessonPanels) {
-    if (panel == id) return id;
-    known += (known.empty() ? "" : ", ") + std::string(panel);
+  for (const std::string_view name : names) {
+    if (name == id) return id;
+    known += (known.empty() ? "" : ", ") + std::string(name);
   }
-  entry.fail("no such panel; there are " + known);
+  entry.fail("no such " + what + "; there are " + known);
 }
 
 void readProbe(const Entry& entry, LessonState& state) {
@@ -224,6 +226,7 @@ void apply(const json& block, const BlockPlace& place, const std::string& source
       if (!block.contains("probe")) state.probeT.reset();
       if (!block.contains("camera")) state.camera.reset();
       if (!block.contains("pick")) state.pick.reset();
+      if (!block.contains("surfaceEquation")) state.surfaceEquation.clear();
     } else if (key == "viewAngleDeg") {
       state.viewAngleDeg = entry.number();
     } else if (key == "probe") {
@@ -243,13 +246,18 @@ void apply(const json& block, const BlockPlace& place, const std::string& source
     } else if (key == "printedRoots") {
       state.printedRoots = entry.boolean();
     } else if (key == "panel") {
-      state.panel = panelFrom(entry);
+      state.panel = nameFrom(entry, kLessonPanels, "panel");
+    } else if (key == "surfaceEquation") {
+      state.surfaceEquation.clear();
+      if (!value.is_null()) {
+        state.surfaceEquation = nameFrom(entry, kSurfaceEquations, "equation of a surface");
+      }
     } else if (key == "stop") {
       step.stop = entry.boolean();
     } else {
       entry.fail(
           "unknown key; known are preset, scene, viewAngleDeg, probe, camera, pick, families, "
-          "equation, printed, printedRoots, panel, stop");
+          "equation, printed, printedRoots, surfaceEquation, panel, stop");
     }
   }
   const bool needsSurface = block.contains("camera") || block.contains("pick");

@@ -36,7 +36,9 @@ struct LessonState {
   std::optional<DerivationStep> equation;
   bool printed = false;       ///< the equation as the thesis prints it
   bool printedRoots = false;  ///< the roots of (3.13) as printed, on the curve
-  std::string panel;          ///< dock to bring to the front; empty: none
+  /// One of kSurfaceEquations, for the panel "surface-derivation" to show; empty: none.
+  std::string surfaceEquation;
+  std::string panel;  ///< dock to bring to the front; empty: none
 };
 
 struct LessonStep {
@@ -59,6 +61,12 @@ inline constexpr std::string_view kLessonPanels[] = {
     "view",    "legend", "probe",  "points",  "curve",    "plots",  "sweep",   "study",
     "limits",  "marks",  "lesson", "surface", "families", "bridge", "section", "surface-derivation",
     "triangle"};
+
+/// The equations of a surface, as surfaceStepNamed() of core3d/study knows them.
+inline constexpr std::string_view kSurfaceEquations[] = {
+    "view",   "4.1",       "4.2",   "foreshortening", "projection", "inverse", "metric", "4.3",
+    "lambda", "direction", "unit",  "turn",           "4.4",        "4.5",     "4.6",    "footnote",
+    "4.7",    "4.8",       "terms", "perspective"};
 
 inline constexpr std::size_t kLargestLessonBytes = 1024U * 1024U;
 inline constexpr std::size_t kMostLessonSteps = 500;

@@ -4,9 +4,11 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QSpinBox>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolButton>
 
+#include "core3d/study/surface_derivation.h"
 #include "tests/ui/support_window.h"
 #include "ui/app/layouts.h"
 #include "ui/app/surface_controller.h"
@@ -178,6 +180,64 @@ class SurfaceTeachingTest : public QObject {
     QVERIFY(!d().document().isModified());
     QVERIFY(d().window().layouts().current() == Layouts::Kind::Work);
     QVERIFY(!pick().hit());
+  }
+
+  void aStepShowsItsEquation() {
+    for (const std::string_view id : kSurfaceEquations) QVERIFY(surfaceStepNamed(id));
+    QCOMPARE(static_cast<int>(std::size(kSurfaceEquations)), kSurfaceStepCount);
+    d().window().lessons().openFile(":/lesson/lessons/surface.md");
+    QVERIFY(quiet());
+    LessonModel& lesson = d().window().lesson();
+    auto& text = d().child<QTextBrowser>("derivation.text");
+    auto& printed = d().child<QCheckBox>("derivation.printed");
+    const auto top = [&text] {
+      return text.cursorForPosition({20, 6}).block().text() + " / " +
+             text.cursorForPosition({20, 30}).block().text();
+    };
+    const struct {
+      int step;
+      const char* words;
+    } steps[] = {{2, "(4.3) View-dependent"}, {3, "derivative of an inverse"}, {0, "(4.1) Curv"}};
+    for (const auto& [step, words] : steps) {
+      lesson.goTo(step);
+      QVERIFY(quiet());
+      QTRY_VERIFY2_WITH_TIMEOUT(top().contains(words), qPrintable(top()), kPatienceMs);
+      // As printed is for the step at which it was ticked.
+      QVERIFY(!printed.isChecked());
+      QTest::mouseClick(&printed, Qt::LeftButton, {}, {8, printed.height() / 2});
+      QVERIFY(printed.isChecked());
+    }
+    lesson.leave();
+    d().settle();
+    QVERIFY(!printed.isChecked());
+  }
+
+  void theStripGoesWithItsLesson() {
+    const auto& strip = d().child<QDockWidget>("lesson");
+    const auto seen = [&strip] { return strip.isVisible() && !strip.visibleRegion().isEmpty(); };
+    openSolid("torus:20");
+    QVERIFY(!seen());
+    d().window().lessons().openFile(":/lesson/lessons/surface.md");
+    QVERIFY(quiet());
+    QVERIFY(seen());
+    d().window().lesson().leave();
+    QVERIFY(quiet());
+    QVERIFY(d().window().layouts().current() == Layouts::Kind::Surface);
+    QVERIFY(strip.isHidden());
+    // From and to the layout of all panels: it steps back behind another, in both layouts.
+    d().trigger("surface.close");
+    d().window().layouts().use(Layouts::Kind::Work);
+    d().window().lessons().openFile(":/lesson/lessons/surface.md");
+    QVERIFY(quiet());
+    QVERIFY(seen());
+    d().window().lesson().leave();
+    d().settle();
+    QVERIFY(d().window().layouts().current() == Layouts::Kind::Work);
+    QVERIFY(!strip.isHidden());
+    QVERIFY(!seen());
+    d().window().layouts().use(Layouts::Kind::Surface);
+    d().settle();
+    QVERIFY(strip.isHidden());
   }
 
   void aLessonAboutCurvesHasNoEmptyPanel() {

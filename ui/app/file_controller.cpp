@@ -17,6 +17,7 @@
 #include "ui/import/shown_svg.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/core_words.h"
+#include "ui/model/loaded_surface.h"
 #include "ui/model/paths.h"
 #include "ui/panels/save_name.h"
 
@@ -37,6 +38,15 @@ QString shownName(const Document& document) {
     return document.originName().isEmpty() ? FileController::tr("Untitled") : document.originName();
   }
   return toQString(document.file().filename());
+}
+
+QString shownTitle(const Document& document) {
+  const auto& surface = document.scene().surface;
+  if (!surface || surface->swept) return shownName(document);
+  const QString mesh = QString::fromStdString(surfaceName(surface->mesh));
+  // Beside an example that nobody asked for it is what one is looking at.
+  if (document.file().empty()) return mesh;
+  return FileController::tr("%1 – %2", "scene, mesh").arg(shownName(document), mesh);
 }
 
 QString presetName(const Preset& preset) { return coreWords(preset.name); }

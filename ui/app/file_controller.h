@@ -80,6 +80,10 @@ class FileController : public QObject {
 /// "Untitled" or the name of the file without its folder.
 QString shownName(const Document& document);
 
+/// What the window shows: the scene, the mesh beside it, or the mesh alone beside a scene that
+/// never had a file.
+QString shownTitle(const Document& document);
+
 /// The name of a preset in the person's language.
 QString presetName(const Preset& preset);
 

@@ -136,6 +136,15 @@ void addLanguages(QMenu& menu, const MenuParts& parts) {
 void addLayoutMenus(QMenu& viewMenu, const MenuParts& parts) {
   Display& display = parts.models.display;
   addLayouts(addSubmenu(viewMenu, "menu.view.layout", LayoutMenuWords::tr("&Layout")), parts);
+  Layouts& layouts = parts.layouts;
+  QAction* flat = addSwitch(viewMenu,
+                            {"view.flat-beside", LayoutMenuWords::tr("Cu&rves beside the Surface"),
+                             LayoutMenuWords::tr("Show the curves beside a surface; off: the "
+                                                 "surface has all the room")},
+                            [&layouts](bool on) { layouts.setFlatBeside(on); });
+  const auto showFlat = [&layouts, flat] { flat->setChecked(layouts.showsFlatBeside()); };
+  QObject::connect(&layouts, &Layouts::changed, flat, showFlat);
+  showFlat();
   addSizes(addSubmenu(viewMenu, "menu.view.scale", LayoutMenuWords::tr("&Size")), display);
   addThemes(addSubmenu(viewMenu, "menu.view.theme", LayoutMenuWords::tr("&Theme")), display);
   addLanguages(addSubmenu(viewMenu, "menu.view.language", LayoutMenuWords::tr("Lan&guage")), parts);

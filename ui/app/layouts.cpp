@@ -107,6 +107,12 @@ void Layouts::setSurfaceThere(bool there) {
   showParts();
 }
 
+void Layouts::setFlatBeside(bool shows) {
+  if (shows == flatBeside_) return;
+  flatBeside_ = shows;
+  emit changed();
+}
+
 void Layouts::arrange() {
   docks_.setScale(display_.uiScale());
   switch (current_) {
@@ -132,6 +138,7 @@ void Layouts::restore(const QSettings& settings) {
   for (const Kind kind : kKinds) {
     states_[kind] = settings.value("window/layout-" + nameOf(kind)).toByteArray();
   }
+  flatBeside_ = settings.value("window/flat-beside", true).toBool();
   window_.restoreGeometry(settings.value("window/geometry").toByteArray());
   const std::optional<Kind> kind = kindNamed(settings.value("window/layout").toString());
   if (kind && *kind != Kind::Projector) current_ = *kind;
@@ -141,6 +148,7 @@ void Layouts::restore(const QSettings& settings) {
 
 void Layouts::save(QSettings& settings) const {
   const bool projector = current_ == Kind::Projector;
+  settings.setValue("window/flat-beside", flatBeside_);
   settings.setValue("window/geometry", projector ? geometry_ : window_.saveGeometry());
   settings.setValue("window/layout", nameOf(projector ? beforeProjector_ : current_));
   for (const Kind kind : kKinds) {

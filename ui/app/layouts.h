@@ -45,6 +45,10 @@ class Layouts : public QObject {
   /// Whether a surface, if there is one, is seen in the current layout.
   bool showsSurfaces() const { return current_ != Kind::Work; }
 
+  /// Whether the curves are seen beside a surface; where there is none they are always.
+  bool showsFlatBeside() const { return flatBeside_; }
+  void setFlatBeside(bool shows);
+
   /// Leaves the arrangement there is as it is, for the next time, and takes that of `kind` as it
   /// was left. Leaving the projector brings back size and place of the window too.
   void use(Kind kind);
@@ -77,6 +81,7 @@ class Layouts : public QObject {
   Kind current_ = Kind::Work;
   Kind beforeProjector_ = Kind::Work;
   bool surfaceThere_ = false;
+  bool flatBeside_ = true;
   QByteArray geometry_;  ///< of the window before projector mode, for the settings
   QRect place_;
   Qt::WindowStates windowState_;

@@ -3,6 +3,7 @@
 
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QKeyEvent>
@@ -174,11 +175,18 @@ void MainWindow::connectParts() {
     messages_->hide();
     showStrip();
   });
-  // In front of a class there is the strip as long as there is a lesson, and not longer.
+  // There is the strip as long as there is a lesson, and not longer; among all panels it steps back
+  // behind the others of its place.
   const auto hideStrip = [this] {
-    const bool projector = layouts_->current() == Layouts::Kind::Projector;
-    if (projector && !lesson_.isOpen()) docks_->hide("lesson");
+    if (!lesson_.isOpen() && layouts_->current() != Layouts::Kind::Work) docks_->hide("lesson");
   };
+  connect(&lesson_, &LessonModel::changed, this, [this] {
+    if (lesson_.isOpen() || layouts_->current() != Layouts::Kind::Work) return;
+    for (QDockWidget* other : tabifiedDockWidgets(findChild<QDockWidget*>("lesson"))) {
+      if (!other->isHidden()) return other->raise();
+    }
+    docks_->hide("lesson");
+  });
   connect(&lesson_, &LessonModel::changed, this, hideStrip);
   connect(layouts_, &Layouts::changed, this, [this, showStrip, hideStrip] {
     hideStrip();
@@ -197,8 +205,9 @@ void MainWindow::connectParts() {
   files_->setLessonEdits([this] { return lesson_.hasEdits(); });
   connect(edits_, &EditController::refused, status_, &StatusLine::say);
   connect(&document_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::showTitle);
   connect(&document_, &Document::changed, this, [this](const Change& change) {
-    if (change.what == Change::What::File || change.what == Change::What::Scene) showTitle();
+    if (change.what == Change::What::File || change.touchesSurface()) showTitle();
   });
   status_->showHint(describe(models(), {}));
 }
@@ -213,7 +222,9 @@ void MainWindow::showCentre() {
   const bool appears = surface && surfaceArea_->isHidden();
   layouts_->setSurfaceThere(surface);
   if (appears && !surfaceArea_->isHidden()) shareCentre();
-  canvas_->setHidden(!surfaceArea_->isHidden() && document_.scene().curves.empty());
+  const bool unwanted =
+      document_.scene().curves.empty() || (surface && !layouts_->showsFlatBeside());
+  canvas_->setHidden(!surfaceArea_->isHidden() && unwanted);
 }
 
 void MainWindow::connectSurface() {
@@ -253,7 +264,7 @@ void MainWindow::setLanguage(const QString& code) {
 }
 
 void MainWindow::showTitle() {
-  setWindowTitle(tr("%1[*] – Flatland").arg(shownName(document_)));
+  setWindowTitle(tr("%1[*] – Flatland").arg(shownTitle(document_)));
   setWindowModified(document_.isModified());
 }
 

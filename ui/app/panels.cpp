@@ -71,8 +71,10 @@ void addPanels(Docks& docks, const CanvasModels& models, const PanelParts& parts
   docks.add("limits", PanelsWords::tr("Limits"), limits, Group::Plots);
   SurfaceStudy& picked = parts.surface.study;
   QObject::connect(&picked, &SurfaceStudy::failed, &parts.messages, &MessageBar::showError);
-  docks.add("surface-derivation", PanelsWords::tr("Surface derivation"),
-            new DerivationPanel(picked), Group::Plots);
+  auto* derivation = new DerivationPanel(picked);
+  QObject::connect(&parts.lesson, &LessonModel::surfaceEquationWanted, derivation,
+                   &DerivationPanel::showEquation);
+  docks.add("surface-derivation", PanelsWords::tr("Surface derivation"), derivation, Group::Plots);
   docks.add("triangle", PanelsWords::tr("Triangle"), new TrianglePanel(picked, models.display),
             Group::Plots);
   docks.add("marks", PanelsWords::tr("Marks"), new MarksPanel(models), Group::Bottom);

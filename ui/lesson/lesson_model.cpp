@@ -91,6 +91,7 @@ void LessonModel::leave() {
   }
   display_.setShowsPrintedRoots(own.printedRoots);
   printed_ = false;
+  emit surfaceEquationWanted({});
   emit changed();
 }
 
@@ -141,6 +142,7 @@ void LessonModel::apply(bool keepScene) {
   }
   showSettings();
   if (!state.panel.empty()) emit panelWanted(QString::fromStdString(state.panel));
+  emit surfaceEquationWanted(QString::fromStdString(state.surfaceEquation));
 }
 
 /// What a step shows beside its scene.

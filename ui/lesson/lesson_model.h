@@ -72,6 +72,8 @@ class LessonModel : public QObject {
   void changed();
   /// A step asks for this dock in front.
   void panelWanted(const QString& id);
+  /// The equation of kSurfaceEquations of the step that is gone to, empty for none.
+  void surfaceEquationWanted(const QString& id);
   /// A step picks a point of the surface, which may not have been read yet.
   void pickWanted(const flatland::LessonPick& pick);
 

@@ -162,10 +162,6 @@
         <translation>&amp;Eine Ansicht</translation>
     </message>
     <message>
-        <source>Only the first view of the surface</source>
-        <translation>Nur die erste Ansicht der Fläche</translation>
-    </message>
-    <message>
         <source>&amp;Two Views</source>
         <translation>&amp;Zwei Ansichten</translation>
     </message>
@@ -204,6 +200,10 @@
     <message>
         <source>The lines of the first view seen from elsewhere</source>
         <translation>Die Linien der ersten Ansicht, von anderswo gesehen</translation>
+    </message>
+    <message>
+        <source>Only the first view, with the lines it had before comparing</source>
+        <translation>Nur die erste Ansicht, mit den Linien von vor dem Vergleich</translation>
     </message>
 </context>
 <context>
@@ -718,11 +718,11 @@
     </message>
     <message>
         <source>Suggestive contours</source>
-        <translation>Andeutende Konturen</translation>
+        <translation>Suggestive Konturen</translation>
     </message>
     <message>
         <source>Suggestive highlights</source>
-        <translation>Andeutende Glanzlinien</translation>
+        <translation>Suggestive Glanzlinien</translation>
     </message>
     <message>
         <source>Apparent ridges</source>
@@ -1062,7 +1062,7 @@
     </message>
     <message>
         <source>no such panel; there are %1</source>
-        <translation>keine solche Tafel; es gibt %1</translation>
+        <translation>kein solches Bedienfeld; es gibt %1</translation>
     </message>
     <message>
         <source>no such equation; there are %1</source>
@@ -1415,10 +1415,6 @@
     <message>
         <source>a border is within 4 edges: curvature is estimated from one side</source>
         <translation>ein Rand ist näher als 4 Kanten: die Krümmung wird von einer Seite geschätzt</translation>
-    </message>
-    <message>
-        <source>n.w is below 0.05, or 0 within 4 edges: lambda grows without bound towards the silhouette</source>
-        <translation>n.w ist unter 0,05, oder in weniger als 4 Kanten 0: zur Silhouette hin wächst λ über jede Grenze</translation>
     </message>
     <message>
         <source>the radius of curvature is below 4 edges, here or within 4 edges: the mesh is too coarse for the bend</source>
@@ -2261,7 +2257,7 @@
     </message>
     <message>
         <source>Add such a curve beside those there are; the panel Curve has its numbers</source>
-        <translation>Eine solche Kurve neben den vorhandenen hinzufügen; der Bereich Kurve hat ihre Zahlen</translation>
+        <translation>Eine solche Kurve neben den vorhandenen hinzufügen; das Bedienfeld Kurve hat ihre Zahlen</translation>
     </message>
 </context>
 <context>
@@ -2500,7 +2496,7 @@
     </message>
     <message>
         <source>Canvas and all panels</source>
-        <translation>Zeichenfläche und alle Bereiche</translation>
+        <translation>Zeichenfläche und alle Bedienfelder</translation>
     </message>
     <message>
         <source>&amp;Picture-Making</source>
@@ -2516,15 +2512,15 @@
     </message>
     <message>
         <source>Full screen, large type, few panels; Esc leaves it</source>
-        <translation>Ganzer Bildschirm, große Schrift, wenige Bereiche; Esc beendet ihn</translation>
+        <translation>Ganzer Bildschirm, große Schrift, wenige Bedienfelder; Esc beendet ihn</translation>
     </message>
     <message>
         <source>R&amp;estore Panels</source>
-        <translation>Bereiche &amp;zurücksetzen</translation>
+        <translation>Bedienfelder &amp;zurücksetzen</translation>
     </message>
     <message>
         <source>The panels of this layout back to their places</source>
-        <translation>Die Bereiche dieser Anordnung zurück an ihre Plätze</translation>
+        <translation>Die Bedienfelder dieser Anordnung zurück an ihre Plätze</translation>
     </message>
     <message>
         <source>&amp;Larger</source>
@@ -2617,6 +2613,14 @@
     <message>
         <source>The surface large, the canvas beside it</source>
         <translation>Die Fläche groß, die Leinwand daneben</translation>
+    </message>
+    <message>
+        <source>Cu&amp;rves beside the Surface</source>
+        <translation>K&amp;urven neben der Fläche</translation>
+    </message>
+    <message>
+        <source>Show the curves beside a surface; off: the surface has all the room</source>
+        <translation>Die Kurven neben einer Fläche zeigen; aus: die Fläche hat den ganzen Platz</translation>
     </message>
 </context>
 <context>
@@ -3071,6 +3075,26 @@
     <message>
         <source>By neighbours: %1</source>
         <translation>Aus Nachbarn: %1</translation>
+    </message>
+    <message>
+        <source>Draw the lines that the first view draws</source>
+        <translation>Die Linien zeichnen, die die erste Ansicht zeichnet</translation>
+    </message>
+    <message>
+        <source>Apparent ridges by differences between neighbours; off: by the closed form</source>
+        <translation>Scheinbare Grate aus Differenzen zwischen Nachbarn; aus: aus der geschlossenen Form</translation>
+    </message>
+    <message>
+        <source>Lines of both views, coloured by which of them has them</source>
+        <translation>Linien beider Ansichten, gefärbt danach, welche von ihnen sie hat</translation>
+    </message>
+    <message>
+        <source>See the lines of the first view from elsewhere</source>
+        <translation>Die Linien der ersten Ansicht von anderswo sehen</translation>
+    </message>
+    <message>
+        <source>Draw these lines in this view</source>
+        <translation>Diese Linien in dieser Ansicht zeichnen</translation>
     </message>
 </context>
 <context>
@@ -3618,7 +3642,7 @@
     <name>ViewMenu</name>
     <message>
         <source>&amp;Fit</source>
-        <translation>&amp;Einpassen</translation>
+        <translation>E&amp;inpassen</translation>
     </message>
     <message>
         <source>Show the whole scene</source>
@@ -3674,11 +3698,11 @@
     </message>
     <message>
         <source>Pa&amp;nels</source>
-        <translation>&amp;Bereiche</translation>
+        <translation>&amp;Bedienfelder</translation>
     </message>
     <message>
         <source>Show or close this panel</source>
-        <translation>Diesen Bereich zeigen oder schließen</translation>
+        <translation>Dieses Bedienfeld zeigen oder schließen</translation>
     </message>
     <message>
         <source>Ne&amp;xt Pane</source>
@@ -3686,7 +3710,7 @@
     </message>
     <message>
         <source>Move the focus on: canvas, panels</source>
-        <translation>Den Fokus weitergeben: Zeichenfläche, Bereiche</translation>
+        <translation>Den Fokus weitergeben: Zeichenfläche, Bedienfelder</translation>
     </message>
     <message>
         <source>Pre&amp;vious Pane</source>
@@ -3865,6 +3889,10 @@
         <source>bridge</source>
         <translation>bruecke</translation>
     </message>
+    <message>
+        <source>Of the curve and the view as they were.</source>
+        <translation>Von Kurve und Ansicht, wie sie vorher waren.</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::CurvePanel</name>
@@ -3949,7 +3977,7 @@
     <name>flatland::ui::DerivationPanel</name>
     <message>
         <source>The vertex nearest to the picked point; type a number to pick another</source>
-        <translation>Die dem gewählten Punkt nächste Ecke; eine Zahl wählt eine andere</translation>
+        <translation>Der dem gewählten Punkt nächste Eckpunkt; eine Zahl wählt einen anderen</translation>
     </message>
     <message>
         <source>The equations that the thesis misprints, as it prints them</source>
@@ -3961,7 +3989,7 @@
     </message>
     <message>
         <source>Both sides of each equation at the vertex; lengths in units of the surface&apos;s size</source>
-        <translation>Beide Seiten jeder Gleichung an der Ecke; Längen in Einheiten der Größe der Fläche</translation>
+        <translation>Beide Seiten jeder Gleichung am Eckpunkt; Längen in Einheiten der Größe der Fläche</translation>
     </message>
     <message>
         <source>Click a point of the surface, or press P over its picture.</source>
@@ -3997,7 +4025,7 @@
     </message>
     <message>
         <source>Vertex</source>
-        <translation>Ecke</translation>
+        <translation>Eckpunkt</translation>
     </message>
     <message>
         <source>The line of sight</source>
@@ -4084,7 +4112,7 @@
     <name>flatland::ui::DockTitle</name>
     <message>
         <source>Move the panel out of the window</source>
-        <translation>Den Bereich aus dem Fenster lösen</translation>
+        <translation>Das Bedienfeld aus dem Fenster lösen</translation>
     </message>
     <message>
         <source>Close; the View menu opens it again</source>
@@ -4452,6 +4480,11 @@
         <source>It is lost otherwise. Your own scene stays as it was.</source>
         <translation>Sonst geht sie verloren. Ihre eigene Szene bleibt, wie sie war.</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>scene, mesh</comment>
+        <translation>%1 – %2</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::FlatCanvas</name>
@@ -4609,6 +4642,18 @@
     <message>
         <source>change ink</source>
         <translation>Tinte ändern</translation>
+    </message>
+    <message>
+        <source>All lines of these families give %1 % only.</source>
+        <translation>Alle Linien dieser Familien ergeben nur %1 %.</translation>
+    </message>
+    <message>
+        <source>Lines that have no threshold give %1 % already.</source>
+        <translation>Linien ohne Schwelle ergeben schon %1 %.</translation>
+    </message>
+    <message>
+        <source>View %1: %2</source>
+        <translation>Ansicht %1: %2</translation>
     </message>
 </context>
 <context>
@@ -6709,11 +6754,11 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     </message>
     <message>
         <source>At the corners</source>
-        <translation>An den Ecken</translation>
+        <translation>An den Eckpunkten</translation>
     </message>
     <message>
         <source>At each corner λ, its derivative along t_A on the screen, the same from its neighbours, and the cosine between t_A and the perpendicular; ↔: flipped</source>
-        <translation>An jeder Ecke λ, seine Ableitung längs t_A auf dem Schirm, dieselbe aus den Nachbarn und der Kosinus zwischen t_A und dem Lot; ↔: umgedreht</translation>
+        <translation>An jedem Eckpunkt λ, seine Ableitung längs t_A auf dem Schirm, dieselbe aus den Nachbarn und der Kosinus zwischen t_A und dem Lot; ↔: umgedreht</translation>
     </message>
     <message>
         <source>Dropped: a normal is unknown.</source>
@@ -6729,7 +6774,7 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     </message>
     <message>
         <source>Dropped: a corner is turned away.</source>
-        <translation>Verworfen: Eine Ecke ist abgewandt.</translation>
+        <translation>Verworfen: Ein Eckpunkt ist abgewandt.</translation>
     </message>
     <message>
         <source>Dropped: one edge alone is crossed; t_A has a singular point here.</source>
@@ -6737,7 +6782,7 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     </message>
     <message>
         <source>Dropped: t_A turns too far from corner to corner.</source>
-        <translation>Verworfen: t_A dreht sich von Ecke zu Ecke zu weit.</translation>
+        <translation>Verworfen: t_A dreht sich von Eckpunkt zu Eckpunkt zu weit.</translation>
     </message>
     <message>
         <source>Dropped: √λ is below the threshold %1.</source>

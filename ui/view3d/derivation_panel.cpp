@@ -99,6 +99,9 @@ DerivationPanel::DerivationPanel(SurfaceStudy& study, QWidget* parent)
   text_->setToolTip(
       tr("Both sides of each equation at the vertex; lengths in units of the surface's size"));
   text_->setFrameShape(QFrame::NoFrame);
+  // Who scrolls looks at something else.
+  connect(text_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
+          [this] { wanted_.clear(); });
   auto* row = new QHBoxLayout;
   row->addWidget(label);
   row->addWidget(vertex_);
@@ -115,6 +118,22 @@ DerivationPanel::DerivationPanel(SurfaceStudy& study, QWidget* parent)
 void DerivationPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
+}
+
+void DerivationPanel::showEquation(const QString& id) {
+  printed_->setChecked(false);
+  wanted_ = id;
+  refresh();
+}
+
+void DerivationPanel::scrollToWanted() {
+  if (wanted_.isEmpty() || !isVisible()) return;
+  text_->scrollToAnchor(wanted_);
+}
+
+void DerivationPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  QMetaObject::invokeMethod(this, &DerivationPanel::scrollToWanted, Qt::QueuedConnection);
 }
 
 void DerivationPanel::refresh() {
@@ -136,6 +155,8 @@ void DerivationPanel::refresh() {
     const QString seenBy = seenByWords(study_.setting());
     const QString heading = seenBy.isEmpty() ? QString() : "<p><b>" + seenBy + "</b></p>";
     text_->setHtml(heading + matrices(*place) + steps(*place));
+    // Not before the panel has its size, on which the place of the equation depends.
+    QMetaObject::invokeMethod(this, &DerivationPanel::scrollToWanted, Qt::QueuedConnection);
   } else {
     text_->setHtml(tr("The normal is unknown here."));
   }

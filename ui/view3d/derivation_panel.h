@@ -21,11 +21,18 @@ class DerivationPanel : public QWidget {
 
   QSize sizeHint() const override { return {360, 320}; }
 
+  /// Keeps an equation in sight by its id ("4.7"), as soon as there are numbers and until somebody
+  /// scrolls, and as it should be, whatever was looked at as printed before. Empty: stays where it
+  /// is.
+  void showEquation(const QString& id);
+
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void refresh();
+  void scrollToWanted();
   QString matrices(const SurfacePlace& place) const;
   QString steps(const SurfacePlace& place) const;
 
@@ -33,6 +40,7 @@ class DerivationPanel : public QWidget {
   QSpinBox* vertex_;
   QCheckBox* printed_;
   QTextBrowser* text_;
+  QString wanted_;  ///< the equation to be seen, until somebody scrolls
 };
 
 /// "View-dependent curvature" in the person's language.
