@@ -41,7 +41,7 @@ constexpr std::array kReasons = {
     "the axis is within 4 edges: parallels shrink to a point",
     "a corner, cusp or jump of curvature is within 4 edges: the surface is not smooth",
     "a border is within 4 edges: curvature is estimated from one side",
-    "n.w is below 0.05, or 0 within 4 edges: lambda grows without bound towards the silhouette",
+    "a silhouette is within 4 edges, or n.w is below 0.05: lambda grows without bound there",
     "the radius of curvature is below 4 edges, here or within 4 edges: the mesh is too coarse for "
     "the bend",
     "lambda falls by less than twice what a line must have: a plain with noise on it"};

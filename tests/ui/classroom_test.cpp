@@ -172,6 +172,13 @@ class ClassroomTest : public QObject {
       QVERIFY(openDocks(*window).isEmpty());
       QVERIFY(bar->isVisible());
       QVERIFY(bar->actions().contains(window->findChild<QAction*>("file.export")));
+      // Its buttons are reached by the keyboard, each by its name.
+      for (QAction* action : bar->actions()) {
+        auto* button = bar->findChild<QWidget*>("picture-bar." + action->objectName());
+        QVERIFY(button && button == bar->widgetForAction(action));
+        QVERIFY(button->focusPolicy() & Qt::TabFocus);
+        QCOMPARE(button->accessibleName(), action->toolTip());
+      }
       window->docks().show("marks");
       QTest::keyClick(&window->canvas(), Qt::Key_1, Qt::ControlModifier);
       QVERIFY(!openDocks(*window).contains("points"));

@@ -91,6 +91,30 @@ class SurfaceTest : public QObject {
     QCOMPARE(hidden.count(), 0);
   }
 
+  void lookingAtMeshesIsNoReasonToSave() {
+    WindowDriver& d = *driver_;
+    openSolid("torus:20");
+    openSolid("sphere:20");
+    QVERIFY(d.window().windowTitle().startsWith("sphere:20[*]"));
+    QVERIFY(!d.window().isWindowModified());
+    // Back at the scene there was at first, nothing would be lost either.
+    d.document().undoStack().undo();
+    d.document().undoStack().undo();
+    QVERIFY(d.window().windowTitle().startsWith("preset[*]"));
+    QVERIFY(!d.window().isWindowModified());
+    // An edit is one, and stays one under the next mesh.
+    d.drag(d.atPoint(1), d.atPoint(1) + QPoint(33, 17));
+    QVERIFY(d.window().isWindowModified());
+    openSolid("torus:20");
+    QVERIFY(d.window().isWindowModified());
+    // A scene with a file has another surface then.
+    QVERIFY(d.window().files().saveTo(d.path("mine.json")));
+    QVERIFY(d.window().windowTitle().startsWith(QStringLiteral("mine.json – torus:20[*]")));
+    QVERIFY(!d.window().isWindowModified());
+    openSolid("sphere:20");
+    QVERIFY(d.window().isWindowModified());
+  }
+
   void projectorAndPictureLayoutShowTheSurface() {
     WindowDriver& d = *driver_;
     d.canvasKey(Qt::Key_F11);
@@ -113,6 +137,39 @@ class SurfaceTest : public QObject {
     QVERIFY(!d.canvas().isVisible());
     d.window().layouts().use(Layouts::Kind::Work);
     QVERIFY(d.canvas().isVisible());
+  }
+
+  void theCurvesLeaveTheirPlaceToTheSurface() {
+    WindowDriver& d = *driver_;
+    d.trigger("view.flat-beside");
+    QVERIFY(d.canvas().isVisible());  // there is no surface to leave it to
+    openSolid("torus:20");
+    QVERIFY(!d.canvas().isVisible());
+    const int wide = surface().width();
+    for (const auto kind : {Layouts::Kind::Picture, Layouts::Kind::Projector}) {
+      d.window().layouts().use(kind);
+      QVERIFY(surface().isVisible() && !d.canvas().isVisible());
+    }
+    d.window().layouts().use(Layouts::Kind::Work);
+    QVERIFY(d.canvas().isVisible());
+    d.window().layouts().use(Layouts::Kind::Surface);
+    d.window().layouts().save(d.settings());
+    QVERIFY(!d.settings().value("window/flat-beside").toBool());
+    d.trigger("view.flat-beside");
+    QVERIFY(d.canvas().isVisible());
+    d.settle();
+    QVERIFY(surface().width() < wide);
+    d.window().layouts().restore(d.settings());
+    QVERIFY(!d.canvas().isVisible());
+    QVERIFY(!d.child<QAction>("view.flat-beside").isChecked());
+  }
+
+  void aClassSeesNoTimes() {
+    openSolid("torus:20");
+    const SurfaceOverlay& words = *driver_->window().surfaceArea().overlay();
+    QVERIFY(words.timeLines().join(' ').contains("Frame"));
+    driver_->window().layouts().use(Layouts::Kind::Projector);
+    QVERIFY(words.timeLines().isEmpty());
   }
 
   void thePanelOfLinesFitsItsDock() {
@@ -178,6 +235,19 @@ class SurfaceTest : public QObject {
     QVERIFY(quiet());
     openLongAlong(1);
     QCOMPARE(said.count(), 0);
+    // So is what comes with a scene.
+    Scene scene = d.scene();
+    openLongAlong(2);
+    scene.surface = d.scene().surface;
+    said.clear();
+    const std::string file = d.path("scene.json").toStdString();
+    saveScene(scene, file);
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    QVERIFY(d.window().files().saveTo(d.path("other.json")));
+    d.window().files().openFile(d.path("scene.json"));
+    QVERIFY(quiet());
+    QCOMPARE(said.count(), 1);
   }
 
   void aBadMeshIsToldInTheOnePlace() {

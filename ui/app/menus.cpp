@@ -76,7 +76,12 @@ void buildMenus(const MenuParts& parts) {
                 *action("surface.export"), &parts.window);
   for (const char* id :
        {"file.export", "surface.export", "view.fit", "view.control-polygon", "view.hidden"}) {
-    parts.pictureBar.addAction(action(id));
+    QAction* shown = action(id);
+    parts.pictureBar.addAction(shown);
+    QWidget* button = parts.pictureBar.widgetForAction(shown);
+    button->setObjectName(QStringLiteral("picture-bar.") + id);
+    button->setAccessibleName(shown->toolTip());
+    button->setFocusPolicy(Qt::StrongFocus);
   }
 }
 

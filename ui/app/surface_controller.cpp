@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
+#include <utility>
 
 #include "ui/app/file_controller.h"
 #include "ui/app/message_bar.h"
@@ -70,13 +71,12 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
   });
   connect(&models_.source, &SurfaceSource::opened, this, [this](const QString& reference) {
     messages_.hide();
+    models_.document.lookedOnly();
     if (!namesFile(reference.toStdString())) return;
     files_.remember(reference);
     if (settings_) settings_->setValue(kFolderKey, QFileInfo(reference).absolutePath());
-    if (mayLieDown(*models_.source.surface()->mesh, upAxisOf(*models_.document.scene().surface))) {
-      emit said(tr("Does it lie down? Surface > Up Axis stands it up."));
-    }
   });
+  connect(&models_.source, &SurfaceSource::changed, this, &SurfaceController::askWhetherItLies);
   // A scene may have come from a newer program, or from a hand.
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     const auto& setting = models_.document.scene().surface;
@@ -85,6 +85,15 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
     if (unknown.empty()) return;
     messages_.showError(tr("Unknown here and left out: %1").arg(QString::fromStdString(unknown)));
   });
+}
+
+void SurfaceController::askWhetherItLies() {
+  const auto& surface = models_.source.surface();
+  const auto& setting = models_.document.scene().surface;
+  if (!surface || !setting || setting->mesh != surface->reference) return;
+  if (std::exchange(asked_, surface->reference) == surface->reference) return;
+  if (!namesFile(surface->reference) || !mayLieDown(*surface->mesh, upAxisOf(*setting))) return;
+  emit said(tr("Does it lie down? Surface > Up Axis stands it up."));
 }
 
 QString SurfaceController::folder() const {

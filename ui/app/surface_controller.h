@@ -48,6 +48,8 @@ class SurfaceController : public QObject {
   void said(const QString& text);
 
  private:
+  /// Once for each mesh, from wherever it came.
+  void askWhetherItLies();
   QString folder() const;
 
   QWidget& window_;
@@ -56,6 +58,7 @@ class SurfaceController : public QObject {
   MessageBar& messages_;
   QSettings* settings_;
   SurfaceExporter exporter_;
+  std::string asked_;  ///< the mesh last asked about, by its reference
 };
 
 }  // namespace flatland::ui

@@ -6,6 +6,7 @@
 #include <QMenu>
 
 #include "ui/app/menus.h"
+#include "ui/view3d/surface_area.h"
 
 namespace flatland::ui {
 
@@ -19,7 +20,11 @@ constexpr double kZoomStep = 1.25;
 
 /// The next or previous one of canvas and open docks gets the focus.
 void movePane(const MenuParts& parts, int step) {
-  QList<QWidget*> panes{&parts.canvas};
+  QList<QWidget*> panes;
+  if (parts.canvas.isVisible()) panes << &parts.canvas;
+  if (QWidget* surface = parts.surfaceArea.canvas(); surface && surface->isVisible()) {
+    panes << surface;
+  }
   for (QDockWidget* dock : parts.docks) {
     if (dock->isVisible() && !dock->visibleRegion().isEmpty()) panes << dock->widget();
   }
@@ -124,6 +129,10 @@ void buildViewMenu(QMenu& menu, const MenuParts& parts) {
     toggle->setObjectName("view.dock." + dock->objectName());
     toggle->setStatusTip(ViewMenuWords::tr("Show or close this panel"));
     toggle->setToolTip(toggle->statusTip());
+    // What is opened is wanted, not hidden behind another.
+    QObject::connect(toggle, &QAction::triggered, dock, [dock](bool on) {
+      if (on) dock->raise();
+    });
     panels.addAction(toggle);
   }
   addLayoutMenus(menu, parts);

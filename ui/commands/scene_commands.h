@@ -18,14 +18,12 @@ class SetView : public QUndoCommand {
  public:
   SetView(Document& document, const View& view, int gesture = 0);
 
-  void undo() override { show(before_); }
-  void redo() override { show(after_); }
+  void undo() override { document_.setView(before_); }
+  void redo() override { document_.setView(after_); }
   int id() const override;
   bool mergeWith(const QUndoCommand* other) override;
 
  private:
-  void show(View view) { document_.swapView(view); }
-
   Document& document_;
   View before_, after_;
   int gesture_;

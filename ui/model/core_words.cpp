@@ -325,8 +325,8 @@ namespace {
         "Core", "a corner, cusp or jump of curvature is within 4 edges: the surface is not smooth"),
     QT_TRANSLATE_NOOP("Core", "a border is within 4 edges: curvature is estimated from one side"),
     QT_TRANSLATE_NOOP("Core",
-                      "n.w is below 0.05, or 0 within 4 edges: lambda grows without bound towards "
-                      "the silhouette"),
+                      "a silhouette is within 4 edges, or n.w is below 0.05: lambda grows without "
+                      "bound there"),
     QT_TRANSLATE_NOOP("Core",
                       "the radius of curvature is below 4 edges, here or within 4 edges: the mesh "
                       "is too coarse for the bend"),

@@ -85,6 +85,10 @@ void Document::push(std::unique_ptr<QUndoCommand> command) {
   if (!command->isObsolete()) undoStack_.push(command.release());
 }
 
+void Document::lookedOnly() {
+  if (file_.empty() && undoStack_.cleanIndex() == undoStack_.index() - 1) undoStack_.setClean();
+}
+
 void Document::swapCurves(std::vector<SceneCurve>& curves) {
   const bool samePoints = std::equal(
       curves.begin(), curves.end(), scene_.curves.begin(), scene_.curves.end(),
@@ -112,8 +116,9 @@ void Document::swapCurves(std::vector<SceneCurve>& curves, const CurveShift& shi
   sceneChanged(change);
 }
 
-void Document::swapView(View& view) {
-  std::swap(scene_.view, view);
+void Document::setView(const View& view) {
+  if (view == scene_.view) return;
+  scene_.view = view;
   sceneChanged({Change::What::View});
 }
 

@@ -70,7 +70,11 @@ class Document : public QObject {
   int featureComputations() const { return featureComputations_; }
 
   QUndoStack& undoStack() { return undoStack_; }
-  bool isModified() const { return !undoStack_.isClean(); }
+  /// True if something would be lost. A scene that never had a file and is as it was started is
+  /// not.
+  bool isModified() const {
+    return !undoStack_.isClean() && !(file_.empty() && undoStack_.index() == 0);
+  }
 
   /// Does a command: the one way to edit. One that is obsolete from the start, because it would
   /// change nothing, is dropped without a trace: no signal, and what was undone can still be
@@ -96,6 +100,10 @@ class Document : public QObject {
   /// changed.
   void save(const std::filesystem::path& file);
 
+  /// Says that the last step only brought something to look at, as opening a mesh does: where there
+  /// is no file to bring up to date, and nothing else that is not saved, it is no reason to save.
+  void lookedOnly();
+
   /// A number no other gesture of this document has; commands with the same one become one step.
   int newGesture() { return ++lastGesture_; }
 
@@ -108,11 +116,14 @@ class Document : public QObject {
   /// from there.
   void swapCurves(std::vector<SceneCurve>& curves, const CurveShift& shift,
                   std::optional<SurfaceSetting>& swept);
-  void swapView(View& view);
   void swapScene(Scene& scene);
   /// As long as the mesh stays, and which of its axes is upward, so do the cameras: looking from
   /// elsewhere is no edit.
   void swapSurface(std::optional<SurfaceSetting>& surface);
+
+  /// Looks at the curves from elsewhere: no edit by itself, as setCamera() is none; SetView makes a
+  /// step of it.
+  void setView(const View& view);
 
   /// Looks at the surface from elsewhere, in one of its views: where that has no camera of its own,
   /// in all that have none. No edit: not undone, and alone no reason to save. Precondition: there

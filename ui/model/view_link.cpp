@@ -108,8 +108,7 @@ void ViewLink::cameraTurned() {
   std::string whyNot;
   const std::optional<View> flat = flatView(&whyNot);
   if (!flat || sameAngle(flat->angleDeg, document_.scene().view.angleDeg)) return;
-  View view{.angleDeg = normalizedDeg(flat->angleDeg), .distance = {}};
-  document_.swapView(view);  // no edit, as setCamera() is none
+  document_.setView({.angleDeg = normalizedDeg(flat->angleDeg), .distance = {}});
 }
 
 // Called by undo too: it moves the camera, and pushes nothing.

@@ -98,6 +98,8 @@ QStringList SurfaceOverlay::timeLines() const {
   const auto milliseconds = [&locale](double ms) {
     return locale.toString(ms, 'f', ms < 10.0 ? 1 : 0);
   };
+  // A class has no use for times.
+  if (models_.display.isProjector()) return inkLines(models_);
   QStringList lines{tr("Frame %1 ms").arg(milliseconds(frameMs_))};
   if (const auto& seen = models_.seen.seen()) {
     lines << tr("Lines %1 ms").arg(milliseconds(seen->lineMs));
