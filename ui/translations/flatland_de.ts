@@ -1494,23 +1494,23 @@
     </message>
     <message>
         <source>x of a vertex</source>
-        <translation>x einer Ecke</translation>
+        <translation>x eines Eckpunkts</translation>
     </message>
     <message>
         <source>y of a vertex</source>
-        <translation>y einer Ecke</translation>
+        <translation>y eines Eckpunkts</translation>
     </message>
     <message>
         <source>z of a vertex</source>
-        <translation>z einer Ecke</translation>
+        <translation>z eines Eckpunkts</translation>
     </message>
     <message>
         <source>w of a vertex</source>
-        <translation>w einer Ecke</translation>
+        <translation>w eines Eckpunkts</translation>
     </message>
     <message>
         <source>vertex of a face</source>
-        <translation>Ecke einer Facette</translation>
+        <translation>Eckpunkt einer Facette</translation>
     </message>
     <message>
         <source>corner of a face</source>
@@ -1526,7 +1526,7 @@
     </message>
     <message>
         <source>a value of a vertex</source>
-        <translation>ein Wert einer Ecke</translation>
+        <translation>ein Wert eines Eckpunkts</translation>
     </message>
     <message>
         <source>the length of a list</source>
@@ -1538,7 +1538,7 @@
     </message>
     <message>
         <source>number of vertices</source>
-        <translation>Anzahl der Ecken</translation>
+        <translation>Anzahl der Eckpunkte</translation>
     </message>
     <message>
         <source>number of faces</source>
@@ -1674,7 +1674,7 @@
     </message>
     <message>
         <source>there are too many vertices</source>
-        <translation>es gibt zu viele Ecken</translation>
+        <translation>es gibt zu viele Eckpunkte</translation>
     </message>
     <message>
         <source>the header has no element &apos;vertex&apos;</source>
@@ -1686,11 +1686,11 @@
     </message>
     <message>
         <source>vertices have no %1</source>
-        <translation>Ecken haben kein %1</translation>
+        <translation>Eckpunkte haben kein %1</translation>
     </message>
     <message>
         <source>%1 of vertex %2 is not finite</source>
-        <translation>%1 der Ecke %2 ist nicht endlich</translation>
+        <translation>%1 des Eckpunkts %2 ist nicht endlich</translation>
     </message>
     <message>
         <source>%1 has no list of whole numbers &apos;vertex_indices&apos;</source>
@@ -1702,19 +1702,19 @@
     </message>
     <message>
         <source>a face uses vertex 0, but the first one is 1</source>
-        <translation>eine Facette verwendet Ecke 0, aber die erste ist 1</translation>
+        <translation>eine Facette verwendet Eckpunkt 0, aber der erste ist 1</translation>
     </message>
     <message>
         <source>a face uses vertex %1, but they are 0 to %2</source>
-        <translation>eine Facette verwendet Ecke %1, aber es sind 0 bis %2</translation>
+        <translation>eine Facette verwendet Eckpunkt %1, aber es sind 0 bis %2</translation>
     </message>
     <message>
         <source>a face uses vertex %1 of %2</source>
-        <translation>eine Facette verwendet Ecke %1 von %2</translation>
+        <translation>eine Facette verwendet Eckpunkt %1 von %2</translation>
     </message>
     <message>
         <source>%1 uses vertex %2, but they are 0 to %3</source>
-        <translation>%1 verwendet Ecke %2, aber es sind 0 bis %3</translation>
+        <translation>%1 verwendet Eckpunkt %2, aber es sind 0 bis %3</translation>
     </message>
     <message>
         <source>unknown kind of OFF file: %1</source>
@@ -1726,7 +1726,7 @@
     </message>
     <message>
         <source>a coordinate of a vertex is not finite</source>
-        <translation>eine Koordinate einer Ecke ist nicht endlich</translation>
+        <translation>eine Koordinate eines Eckpunkts ist nicht endlich</translation>
     </message>
     <message>
         <source>a face has a negative number of corners</source>
@@ -1746,7 +1746,7 @@
     </message>
     <message>
         <source>a vertex lies at infinity</source>
-        <translation>eine Ecke liegt im Unendlichen</translation>
+        <translation>ein Eckpunkt liegt im Unendlichen</translation>
     </message>
     <message>
         <source>has points of %1 dimensions instead of %2</source>
@@ -1754,11 +1754,11 @@
     </message>
     <message>
         <source>the counts, %1 vertices and %2 faces, are more than the file can hold</source>
-        <translation>die Anzahlen, %1 Ecken und %2 Facetten, sind mehr, als in die Datei passt</translation>
+        <translation>die Anzahlen, %1 Eckpunkte und %2 Facetten, sind mehr, als in die Datei passt</translation>
     </message>
     <message>
         <source>the vertices end within a line</source>
-        <translation>die Ecken enden mitten in einer Zeile</translation>
+        <translation>die Eckpunkte enden mitten in einer Zeile</translation>
     </message>
     <message>
         <source>the file has no counts</source>
@@ -1786,7 +1786,7 @@
     </message>
     <message>
         <source>the file ends after %1 of %2 vertices</source>
-        <translation>die Datei endet nach %1 von %2 Ecken</translation>
+        <translation>die Datei endet nach %1 von %2 Eckpunkten</translation>
     </message>
     <message>
         <source>the file ends after %1 of %2 faces</source>
@@ -1982,11 +1982,11 @@
     </message>
     <message>
         <source>index %1 is %2, but there are %3 vertices</source>
-        <translation>Index %1 ist %2, aber es gibt %3 Ecken</translation>
+        <translation>Index %1 ist %2, aber es gibt %3 Eckpunkte</translation>
     </message>
     <message>
         <source>vertex %1 is not finite</source>
-        <translation>Ecke %1 ist nicht endlich</translation>
+        <translation>Eckpunkt %1 ist nicht endlich</translation>
     </message>
     <message>
         <source>the number of its indices is not a multiple of 3</source>
@@ -2058,19 +2058,19 @@
     </message>
     <message>
         <source>1 vertex without a face left out</source>
-        <translation>1 Ecke ohne Facette ausgelassen</translation>
+        <translation>1 Eckpunkt ohne Facette ausgelassen</translation>
     </message>
     <message>
         <source>%1 vertices without a face left out</source>
-        <translation>%1 Ecken ohne Facette ausgelassen</translation>
+        <translation>%1 Eckpunkte ohne Facette ausgelassen</translation>
     </message>
     <message>
         <source>1 vertex welded to another at the same place</source>
-        <translation>1 Ecke mit einer anderen am selben Ort verschweißt</translation>
+        <translation>1 Eckpunkt mit einem anderen am selben Ort verschweißt</translation>
     </message>
     <message>
         <source>%1 vertices welded to another at the same place</source>
-        <translation>%1 Ecken mit einer anderen am selben Ort verschweißt</translation>
+        <translation>%1 Eckpunkte mit einem anderen am selben Ort verschweißt</translation>
     </message>
     <message>
         <source>1 face that crosses itself triangulated with overlaps</source>
@@ -2146,11 +2146,11 @@
     </message>
     <message>
         <source>1 vertex where surfaces touch cut apart</source>
-        <translation>1 Ecke aufgetrennt, wo Flächen sich berühren</translation>
+        <translation>1 Eckpunkt aufgetrennt, wo Flächen sich berühren</translation>
     </message>
     <message>
         <source>%1 vertices where surfaces touch cut apart</source>
-        <translation>%1 Ecken aufgetrennt, wo Flächen sich berühren</translation>
+        <translation>%1 Eckpunkte aufgetrennt, wo Flächen sich berühren</translation>
     </message>
     <message>
         <source>1 edge cut, because the surface has one side only</source>
@@ -2159,6 +2159,10 @@
     <message>
         <source>%1 edges cut, because the surface has one side only</source>
         <translation>%1 Kanten aufgeschnitten, weil die Fläche nur eine Seite hat</translation>
+    </message>
+    <message>
+        <source>a silhouette is within 4 edges, or n.w is below 0.05: lambda grows without bound there</source>
+        <translation>eine Silhouette ist näher als 4 Kanten, oder n.w ist unter 0,05: Lambda wächst dort über alle Grenzen</translation>
     </message>
 </context>
 <context>
@@ -6337,11 +6341,11 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     </message>
     <message>
         <source>PLY, curvature at the vertices</source>
-        <translation>PLY, Krümmung an den Ecken</translation>
+        <translation>PLY, Krümmung an den Eckpunkten</translation>
     </message>
     <message>
         <source>CSV, curvature at the vertices</source>
-        <translation>CSV, Krümmung an den Ecken</translation>
+        <translation>CSV, Krümmung an den Eckpunkten</translation>
     </message>
     <message>
         <source>JSON, cameras for flatland lines</source>
@@ -6562,8 +6566,8 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message numerus="yes">
         <source>%Ln vertices</source>
         <translation>
-            <numerusform>%Ln Ecke</numerusform>
-            <numerusform>%Ln Ecken</numerusform>
+            <numerusform>%Ln Eckpunkt</numerusform>
+            <numerusform>%Ln Eckpunkte</numerusform>
         </translation>
     </message>
     <message numerus="yes">
