@@ -404,8 +404,10 @@ class BridgingTest : public QObject, private BridgingWindow {
     QVERIFY(seen().seen()->found->of(LineFamily::ApparentRidges).empty());
     QVERIFY(agrees());
     d.trigger("surface.solid.gaussian-bump");
+    QVERIFY(quiet());  // the plane is that of the surface there is
     d.trigger("surface.plane.view");
     QVERIFY(quiet());
+    QVERIFY(section().view());
     const std::size_t ridges = section().view()->marks.ridges.size();
     QVERIFY(ridges > 0);
     const auto shown = seen().seen();

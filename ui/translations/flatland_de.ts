@@ -750,7 +750,7 @@
     </message>
     <message>
         <source>Zero mean curvature</source>
-        <translation>Mittlere Krümmung null</translation>
+        <translation>Mittelkrümmung 0</translation>
     </message>
     <message>
         <source>Creases</source>
@@ -762,7 +762,7 @@
     </message>
     <message>
         <source>Self-intersections</source>
-        <translation>Selbstdurchdringungen</translation>
+        <translation>Durchdringungen</translation>
     </message>
     <message>
         <source>Topographic lines</source>
