@@ -441,13 +441,13 @@ class BridgingTest : public QObject, private BridgingWindow {
     QVERIFY(!diagram.isHidden() && old.isHidden());
     d.drag(d.atPoint(1), d.atPoint(1) + QPoint(15, 10));
     QVERIFY(quiet());
-    QVERIFY(!diagram.isHidden() && !old.isHidden());
+    QTRY_VERIFY(!diagram.isHidden() && !old.isHidden());
     d.document().undoStack().undo();
     QVERIFY(quiet());
-    QVERIFY(!diagram.isHidden() && old.isHidden());
+    QTRY_VERIFY(!diagram.isHidden() && old.isHidden());
     d.trigger("surface.revolve");
     QVERIFY(quiet());
-    QVERIFY(diagram.isHidden() && old.isHidden());
+    QTRY_VERIFY(diagram.isHidden() && old.isHidden());
     QVERIFY(!d.child<QPushButton>("bridge.study.export").isEnabled());
   }
 
