@@ -351,7 +351,7 @@ void addLinesCommand(CLI::App& app, Action& action, const std::string& commandLi
   command.footer(
       "Examples:\n"
       "  flatland lines skull.obj -o skull.svg --view 1,0.5,2\n"
-      "  flatland lines hand.obj -o hand.pdf --ink 0.04 --style taper\n"
+      "  flatland lines hand.obj -o hand.pdf --ink 0.009 --style taper\n"
       "  flatland lines solid:torus -o torus.json --lines contours --hidden dash\n"
       "  flatland lines boot.obj -o boot.svg --turntable 36 --perspective 30\n");
   command.final_callback([options, &command, &action] {

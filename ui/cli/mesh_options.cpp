@@ -226,7 +226,7 @@ void addLineFamilies(CLI::App& command, LineOptions& lines) {
       ->allow_extra_args(false)
       ->check(CLI::Validator(whyNotThreshold, ""));
   command.add_flag("--unfiltered", lines.unfiltered,
-                   "Every crossing of the defining equations, weak, false and hidden ones too");
+                   "Every crossing of the defining equations, weak and false ones too");
   command
       .add_option_function<std::string>(
           "--derivative",
