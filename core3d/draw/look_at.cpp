@@ -22,8 +22,8 @@ constexpr double kLeastOffset = 1e-5, kLargestOffset = 0.02;
 constexpr double kBesidePx = 1.5;
 // Beside a contour that is hidden by a facet of the very outline there is background at this one.
 constexpr double kCoveredPx = 4.0;
-// Lines of more px than that would cover the whole picture, and of messy files there are: those are
-// looked at less often, so many times in all.
+// Lines longer than so many px of a usual picture (pictureScale) would cover most of it, and of
+// messy files there are such: they are looked at less often, so many times in all.
 constexpr double kMostSamples = 3e5;
 // How densely gaps of outlines are looked for.
 constexpr double kGapStepPx = 0.5;
@@ -211,7 +211,8 @@ std::size_t lookAt(std::vector<SeenChain>& chains, const Sight& sight, const Pro
                    const LineOptions& lines, const StrokeOptions& strokes) {
   double length = 0.0;
   for (const SeenChain& chain : chains) length += chain.line.length();
-  const double samplePx = std::max(1.0, length / kMostSamples);
+  const double samplePx =
+      std::max(1.0, length / (kMostSamples * pictureScale(projection.width, projection.height)));
   // Every chain is looked at by one thread, whichever is free.
   std::atomic<std::size_t> next = 0, rays = 0;
   const auto work = [&] {

@@ -98,7 +98,7 @@ bool considerTriangle(RTCPointQueryFunctionArguments* arguments) {
   Search& search = *static_cast<Search*>(arguments->userPtr);
   const SurfaceHit place = nearestInTriangle(*search.mesh, arguments->primID, search.p);
   const double distanceSq = (place.at - search.p).squaredNorm();
-  if (distanceSq > search.leastSq) return false;
+  if (!(distanceSq <= search.leastSq)) return false;
   // Triangles come in any order.
   if (distanceSq == search.leastSq && place.triangle > search.nearest->triangle) return false;
   search.leastSq = distanceSq;

@@ -56,11 +56,10 @@ RidgeFall apparentRidgeFall(const SeenMesh& sight, std::uint32_t triangle) {
 bool apparentRidgeStandsOut(const SeenMesh& sight, std::uint32_t triangle, const Eigen::Vector3f& a,
                             const Eigen::Vector3f& b) {
   const SeenVertices& seen = sight.seen;
-  const CurvatureField field{
-      sight.mesh,        seen.root.data(),
-      seen.nw.data(),    seen.rx.data(),
-      seen.ry.data(),    seen.rz.data(),
-      seen.flags.data(), std::copysign(1.0f, seen.nw[sight.mesh.triangles[triangle][0]])};
+  const bool front = (seen.flags[sight.mesh.triangles[triangle][0]] & VertexFlag::kFront) != 0;
+  const CurvatureField field{sight.mesh,        seen.root.data(),    seen.nw.data(),
+                             seen.rx.data(),    seen.ry.data(),      seen.rz.data(),
+                             seen.flags.data(), front ? 1.0f : -1.0f};
   return standsOut(field, triangle, 0.5f * (a + b), Contrast::kReach * sight.size());
 }
 

@@ -4,30 +4,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "core3d/lines/split_facing.h"
 
 namespace flatland {
 namespace {
 
-// Calls add(level, crossings) for each level between the corners' n.w; of a
-// sheet, which is lit on either side, for the side that mostly faces the viewer.
+// Calls add(level, crossings) for each level between the corners' n.w; on a
+// sheet, which is lit on either side, also those of -n.w.
 template <typename Add>
-void forLevels(const SeenMesh& sight, std::uint32_t triangle, std::array<float, 3> nw,
+void forLevels(const SeenMesh& sight, std::uint32_t triangle, const std::array<float, 3>& nw,
                const Add& add) {
-  if (sight.sheets.has(triangle) && nw[0] + nw[1] + nw[2] < 0.0f) {
-    for (float& facing : nw) facing = -facing;
-  }
   const int levels = std::max(sight.options.isophoteLevels, 1);
   const auto steps = static_cast<float>(levels + 1);
   const auto [least, most] = std::minmax({nw[0], nw[1], nw[2]});
   if (most - least <= kFlatFacing) return;
-  const int first = std::max(1, static_cast<int>(std::floor(least * steps)));
+  const int lowest = sight.sheets.has(triangle) ? -levels : 1;
+  const int first = std::max(lowest, static_cast<int>(std::floor(least * steps)));
   const int last = std::min(levels, static_cast<int>(std::ceil(most * steps)));
   for (int level = first; level <= last; ++level) {
+    if (level == 0) continue;  // a contour
     const float at = static_cast<float>(level) / steps;
     const Crossings found = zeroCrossings({nw[0] - at, nw[1] - at, nw[2] - at});
-    if (found.count == 2) add(static_cast<std::uint32_t>(level - 1), found);
+    if (found.count == 2) add(static_cast<std::uint32_t>(std::abs(level) - 1), found);
   }
 }
 

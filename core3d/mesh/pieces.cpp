@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace flatland {
@@ -13,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Holes per area. An open tube that is four radii long has 0.25, a sphere with a hole of radius 0.6
-// of its own 0.1, a bust that stands open at the bottom 0.03.
+// Holes per area. An open tube that is four radii long has 0.25, a sphere with a hole of half its
+// radius 0.07, a bust that stands open at the bottom 0.03.
 constexpr double kLargestHoles = 0.3;
 constexpr double kSheetHoles = 0.1;
 // Volume per (hole area)^1.5: a hemisphere has 0.4, a flat relief nearly 0.
@@ -26,15 +27,22 @@ struct BorderEdge {
 };
 
 // Takes out the two sides of slits: edges that are there both ways, such as those that were cut
-// where more than two triangles meet.
-void closeSlits(std::vector<BorderEdge>& border) {
-  const auto ends = [](const BorderEdge& e) { return std::minmax(e.from, e.to); };
-  std::sort(border.begin(), border.end(), [&](const BorderEdge& a, const BorderEdge& b) {
-    return std::pair(ends(a), a.from) < std::pair(ends(b), b.from);
-  });
+// where more than two triangles meet. Each side of a slit may have vertices of its own, which came
+// from one of the file.
+void closeSlits(const TriangleMesh& mesh, std::vector<BorderEdge>& border) {
+  const auto place = [&mesh](const BorderEdge& e) {
+    return std::pair(mesh.fileVertex[e.from], mesh.fileVertex[e.to]);
+  };
+  const auto key = [&place](const BorderEdge& e) {
+    const auto [from, to] = place(e);
+    return std::tuple(std::min(from, to), std::max(from, to), from);
+  };
+  std::sort(border.begin(), border.end(),
+            [&key](const BorderEdge& a, const BorderEdge& b) { return key(a) < key(b); });
   std::vector<BorderEdge> open;
   for (const BorderEdge& edge : border) {
-    if (!open.empty() && open.back().from == edge.to && open.back().to == edge.from) {
+    const auto [from, to] = place(edge);
+    if (!open.empty() && place(open.back()) == std::pair(to, from)) {
       open.pop_back();
     } else {
       open.push_back(edge);
@@ -147,7 +155,7 @@ PieceShape shapeOf(const TriangleMesh& mesh, std::span<const std::uint32_t> piec
       border.push_back(turn ? BorderEdge{to, from} : BorderEdge{from, to});
     }
   }
-  closeSlits(border);
+  closeSlits(mesh, border);
   if (!border.empty()) addHoles(mesh, border, base, shape);
   return shape;
 }

@@ -19,16 +19,18 @@ struct PieceShape {
   /// Enclosed once each part of the border is joined to its middle; negative if inside out.
   double volume = 0.0;
 
-  /// True if one side of it is the outside: the holes are not too large, and the volume does not
-  /// hang on how they are filled. So for a bust that stands open at the bottom, a scan with holes
-  /// or a tube, not for a relief or a mask, which may bulge either way.
+  /// True if one side of it is the outside: the holes are at most 0.3 of the area, and the volume,
+  /// at least 0.2 of their area^1.5, does not hang on how they are filled. So for a bust that
+  /// stands open at the bottom, a scan with holes or a tube, not for a relief or a mask, which may
+  /// bulge either way.
   bool hasOutside() const;
-  /// True if the holes let a viewer see much of both sides: a relief, a mask, a tube.
+  /// True if the holes, more than 0.1 of the area, let a viewer see much of both sides: a relief, a
+  /// mask, a tube.
   bool isSheet() const;
 };
 
-/// `turned[t]` not 0: triangle t counts the other way round; empty: none does. O(n) and
-/// O(b log b) for b edges of the border.
+/// Precondition: a triangle at least. `turned[t]` not 0: triangle t counts the other way round;
+/// empty: none does. O(n) and O(b log b) for b edges of the border.
 PieceShape shapeOf(const TriangleMesh& mesh, std::span<const std::uint32_t> piece,
                    std::span<const char> turned);
 
@@ -38,7 +40,7 @@ class Sheets {
  public:
   /// No sheet anywhere.
   Sheets() = default;
-  /// O(triangles).
+  /// O(triangles), and O(b log b) for b edges of borders.
   explicit Sheets(const TriangleMesh& mesh);
 
   bool has(std::uint32_t triangle) const { return !of_.empty() && of_[triangle] != 0; }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -82,18 +83,43 @@ TEST(Sheets, PiecesWithAnOutsideAreTurnedThatWay) {
   EXPECT_TRUE(shapeOfAll(buildMesh(tube).mesh).isSheet());
 }
 
-// The two sides of a cut through a closed surface are no hole.
+// The two sides of a cut through a closed surface are no hole: a sphere with a fin along most of
+// its equator, where three triangles meet at each edge.
 TEST(Sheets, SlitsAreNoHoles) {
-  PolygonSoup soup = meshOf({SolidKind::Torus, 1.0, 0.4}, {.cells = 12}).soup;
-  // Wings on some edges of the torus: more than two triangles, so they are cut.
-  for (std::size_t i = 0; i < 8; ++i) {
+  PolygonSoup soup = meshOf({SolidKind::Sphere, 1.0}, {.cells = 24}).soup;
+  const TriangleMesh whole = buildMesh(soup).mesh;
+  const auto at = [&soup](std::uint32_t v) {
+    return Eigen::Vector3d(soup.positions[3 * v], soup.positions[3 * v + 1],
+                           soup.positions[3 * v + 2]);
+  };
+  const std::size_t count = soup.polygonCount();
+  std::map<std::uint32_t, std::uint32_t> raised;
+  for (std::size_t i = 0; i < count; ++i) {
     const std::vector<std::uint32_t> p(soup.polygon(i).begin(), soup.polygon(i).end());
-    soup.addVertex(0.0, 0.0, 3.0 + 0.01 * static_cast<double>(i));
-    soup.addTriangle(p[0], p[1], static_cast<std::uint32_t>(soup.vertexCount() - 1));
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const std::uint32_t a = p[k], b = p[(k + 1) % p.size()];
+      const Eigen::Vector3d pa = at(a), pb = at(b);
+      if (a > b || std::abs(pa.z()) > 1e-9 || std::abs(pb.z()) > 1e-9 ||
+          std::min(pa.x(), pb.x()) < -0.7)
+        continue;
+      for (const std::uint32_t v : {a, b}) {
+        if (raised.contains(v)) continue;
+        const Eigen::Vector3d out = 1.1 * at(v);
+        raised[v] = static_cast<std::uint32_t>(soup.vertexCount());
+        soup.addVertex(out.x(), out.y(), out.z());
+      }
+      soup.addPolygon(std::vector<std::uint32_t>{a, b, raised[b], raised[a]});
+    }
   }
+  ASSERT_GT(raised.size(), 20u);
   const BuiltMesh built = buildMesh(reversed(soup));
-  ASSERT_EQ(built.report.nonManifoldEdges, 8u);
-  EXPECT_GE(built.report.invertedPieces, 1u);
+  EXPECT_GT(built.report.nonManifoldEdges, 20u);
+  EXPECT_EQ(built.report.invertedPieces, 1u);
+  // The sphere is no sheet, the fin is one.
+  const Sheets sheets(built.mesh);
+  std::size_t onSheets = 0;
+  for (std::uint32_t t = 0; t < built.mesh.triangleCount(); ++t) onSheets += sheets.has(t) ? 1 : 0;
+  EXPECT_EQ(onSheets, built.mesh.triangleCount() - whole.triangleCount());
 }
 
 // Lines of the view on a sheet with its normals up, and on the same one with them down.

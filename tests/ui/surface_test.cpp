@@ -115,6 +115,16 @@ class SurfaceTest : public QObject {
     QVERIFY(d.window().isWindowModified());
   }
 
+  void openingTheSameMeshAgainSavesNoEdit() {
+    WindowDriver& d = *driver_;
+    openSolid("torus:20");
+    QVERIFY(!d.window().isWindowModified());
+    d.drag(d.atPoint(1), d.atPoint(1) + QPoint(15, 17));
+    QVERIFY(d.window().isWindowModified());
+    openSolid("torus:20");
+    QVERIFY(d.window().isWindowModified());
+  }
+
   void projectorAndPictureLayoutShowTheSurface() {
     WindowDriver& d = *driver_;
     d.canvasKey(Qt::Key_F11);

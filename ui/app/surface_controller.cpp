@@ -71,7 +71,6 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
   });
   connect(&models_.source, &SurfaceSource::opened, this, [this](const QString& reference) {
     messages_.hide();
-    models_.document.lookedOnly();
     if (!namesFile(reference.toStdString())) return;
     files_.remember(reference);
     if (settings_) settings_->setValue(kFolderKey, QFileInfo(reference).absolutePath());

@@ -85,8 +85,10 @@ void Document::push(std::unique_ptr<QUndoCommand> command) {
   if (!command->isObsolete()) undoStack_.push(command.release());
 }
 
-void Document::lookedOnly() {
-  if (file_.empty() && undoStack_.cleanIndex() == undoStack_.index() - 1) undoStack_.setClean();
+void Document::pushLook(std::unique_ptr<QUndoCommand> command) {
+  const bool nothingToSave = file_.empty() && undoStack_.isClean();
+  push(std::move(command));
+  if (nothingToSave) undoStack_.setClean();
 }
 
 void Document::swapCurves(std::vector<SceneCurve>& curves) {

@@ -100,9 +100,9 @@ class Document : public QObject {
   /// changed.
   void save(const std::filesystem::path& file);
 
-  /// Says that the last step only brought something to look at, as opening a mesh does: where there
-  /// is no file to bring up to date, and nothing else that is not saved, it is no reason to save.
-  void lookedOnly();
+  /// Pushes a step that only brings something to look at, as opening a mesh does: where there is no
+  /// file to bring up to date, and nothing else that is not saved, it is no reason to save.
+  void pushLook(std::unique_ptr<QUndoCommand> command);
 
   /// A number no other gesture of this document has; commands with the same one become one step.
   int newGesture() { return ++lastGesture_; }

@@ -198,7 +198,7 @@ void SurfaceSource::show(const std::shared_ptr<const LoadedSurface>& surface, bo
     setting.savedCameras.clear();
     setting.swept.reset();
     setting.plane.reset();
-    document_.push(std::make_unique<SetSurface>(
+    document_.pushLook(std::make_unique<SetSurface>(
         document_, std::move(setting),
         tr("open %1").arg(QString::fromStdString(surfaceName(surface->reference)))));
     emit opened(QString::fromStdString(surface->reference));
