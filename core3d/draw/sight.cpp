@@ -180,6 +180,20 @@ struct Sight::State {
   std::optional<MeshPlaces> own;  // unless it is lent
   RTCScene scene;
 
+  // True if the viewer sees the side that the normal at a point does not point to: see outwardAt.
+  bool isBack(const SightPoint& point, const Vector3d& normal, const SurfaceView& view) const {
+    if (!sheets.has(point.triangle) || fields->vertexCount() == 0) return false;
+    const Vector3d towards = view.towardsViewer(point.at);
+    if (!point.contour) return normal.dot(towards) < 0.0;
+    const Eigen::Vector3f w = towards.cast<float>();
+    float bending = 0.0f;  // K(w_T, w_T)
+    for (const std::uint32_t v : mesh->triangles[point.triangle]) {
+      const float w1 = fields->e1(v).dot(w), w2 = fields->e2(v).dot(w);
+      bending += fields->k1[v] * w1 * w1 + fields->k2[v] * w2 * w2;
+    }
+    return bending < 0.0f;
+  }
+
   // True if a counting hit lies on the ray between near and far.
   bool hits(const Vector3d& origin, const Vector3d& direction, float near, float far,
             Context& context) const {
@@ -237,17 +251,7 @@ Vector3d Sight::normalAt(const SightPoint& point) const {
 
 Vector3d Sight::outwardAt(const SightPoint& point, const SurfaceView& view) const {
   const Vector3d normal = normalAt(point);
-  const SurfaceFields& fields = *state_->fields;
-  if (!state_->sheets.has(point.triangle) || fields.vertexCount() == 0) return normal;
-  const Vector3d towards = view.towardsViewer(point.at);
-  if (!point.contour) return normal.dot(towards) < 0.0 ? Vector3d(-normal) : normal;
-  const Eigen::Vector3f w = towards.cast<float>();
-  float bending = 0.0f;  // K(w_T, w_T)
-  for (const std::uint32_t v : state_->mesh->triangles[point.triangle]) {
-    const float w1 = fields.e1(v).dot(w), w2 = fields.e2(v).dot(w);
-    bending += fields.k1[v] * w1 * w1 + fields.k2[v] * w2 * w2;
-  }
-  return bending < 0.0f ? Vector3d(-normal) : normal;
+  return state_->isBack(point, normal, view) ? Vector3d(-normal) : normal;
 }
 
 Vector3d Sight::middleOf(std::uint32_t triangle) const {
@@ -277,10 +281,10 @@ bool Sight::hidden(const SightPoint& point, const SurfaceView& view, double offs
   if (point.other != TriangleMesh::kNone) {
     origin = outsideBoth(mesh, point, w, kShareOffBoth * offset);
   } else {
-    Vector3d normal = outwardAt(point, view);
-    const bool turned = normal.dot(normalAt(point)) < 0.0;
-    const Vector3d cross = crossOf(mesh, point.triangle),
-                   flat = (turned ? -1.0 : 1.0) * cross.stableNormalized();
+    Vector3d normal = normalAt(point);
+    const double side = state_->isBack(point, normal, view) ? -1.0 : 1.0;
+    normal *= side;
+    const Vector3d cross = crossOf(mesh, point.triangle), flat = side * cross.stableNormalized();
     if (normal.dot(flat) < kCreasedCosine && flat.dot(w) > 0.0) normal = flat;
     const double facing = normal.dot(w);
     const bool fold = point.interpolated && facing > kFacingAway;

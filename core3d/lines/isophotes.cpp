@@ -11,8 +11,8 @@
 namespace flatland {
 namespace {
 
-// Calls add(level, crossings) for each level between the corners' n.w; on a
-// sheet, which is lit on either side, also those of -n.w.
+// Calls add(level, crossings) for each level between the corners' n.w; on a sheet, which is lit on
+// either side, also those of -n.w.
 template <typename Add>
 void forLevels(const SeenMesh& sight, std::uint32_t triangle, const std::array<float, 3>& nw,
                const Add& add) {

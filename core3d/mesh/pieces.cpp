@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core3d/mesh/triangle_cross.h"
+
 namespace flatland {
 namespace {
 
@@ -141,12 +143,9 @@ PieceShape shapeOf(const TriangleMesh& mesh, std::span<const std::uint32_t> piec
   const Vector3d base = mesh.position(mesh.triangles[piece[0]][0]).cast<double>();
   std::vector<BorderEdge> border;
   for (const std::uint32_t t : piece) {
-    const auto& [va, vb, vc] = mesh.triangles[t];
-    const Vector3d a = mesh.position(va).cast<double>() - base,
-                   b = mesh.position(vb).cast<double>() - base,
-                   c = mesh.position(vc).cast<double>() - base;
     const bool turn = !turned.empty() && turned[t] != 0;
-    const Vector3d vector = (b - a).cross(c - a);
+    const Vector3d vector = crossOf(mesh, t);
+    const Vector3d a = mesh.position(mesh.triangles[t][0]).cast<double>() - base;
     shape.area += 0.5 * vector.norm();
     shape.volume += (turn ? -1.0 : 1.0) * a.dot(vector) / 6.0;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -169,17 +168,7 @@ Sheets::Sheets(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> piece;
   for (std::uint32_t from = 0; from < count; ++from) {
     if (seen[from]) continue;
-    seen[from] = 1;
-    piece.assign(1, from);
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      for (std::uint32_t h = 3 * piece[i]; h < 3 * piece[i] + 3; ++h) {
-        if (!mesh.hasOpposite(h)) continue;
-        const std::uint32_t neighbour = mesh.opposite[h] / 3;
-        if (seen[neighbour]) continue;
-        seen[neighbour] = 1;
-        piece.push_back(neighbour);
-      }
-    }
+    collectPiece(mesh, from, seen, piece, [](std::uint32_t) {});
     if (!shapeOf(mesh, piece, {}).isSheet()) continue;
     of_.resize(count, 0);
     for (const std::uint32_t t : piece) of_[t] = 1;

@@ -29,6 +29,26 @@ struct PieceShape {
   bool isSheet() const;
 };
 
+/// Collects into `piece` the triangles that are connected with `from` over edges; `seen` holds, by
+/// triangle, what is collected already. `reached(h)` is told the half-edge over which each triangle
+/// but the first is reached, in order. O(triangles of the piece).
+template <typename Reached>
+void collectPiece(const TriangleMesh& mesh, std::uint32_t from, std::vector<char>& seen,
+                  std::vector<std::uint32_t>& piece, const Reached& reached) {
+  piece.assign(1, from);
+  seen[from] = 1;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    for (std::uint32_t h = 3 * piece[i]; h < 3 * piece[i] + 3; ++h) {
+      if (!mesh.hasOpposite(h)) continue;
+      const std::uint32_t neighbour = mesh.opposite[h] / 3;
+      if (seen[neighbour]) continue;
+      seen[neighbour] = 1;
+      reached(h);
+      piece.push_back(neighbour);
+    }
+  }
+}
+
 /// Precondition: a triangle at least. `turned[t]` not 0: triangle t counts the other way round;
 /// empty: none does. O(n) and O(b log b) for b edges of the border.
 PieceShape shapeOf(const TriangleMesh& mesh, std::span<const std::uint32_t> piece,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core3d/mesh/winding.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 #include <utility>
 
 #include "core3d/mesh/pieces.h"
+#include "core3d/mesh/triangle_cross.h"
 
 namespace flatland {
 
@@ -36,18 +37,9 @@ struct Walker {
   }
 
   void collect(std::uint32_t from) {
-    piece.assign(1, from);
-    seen[from] = 1;
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      for (std::uint32_t h = 3 * piece[i]; h < 3 * piece[i] + 3; ++h) {
-        if (!mesh.hasOpposite(h)) continue;
-        const std::uint32_t neighbour = mesh.opposite[h] / 3;
-        if (seen[neighbour]) continue;
-        seen[neighbour] = 1;
-        if (!agrees(h)) turn[neighbour] = 1;
-        piece.push_back(neighbour);
-      }
-    }
+    collectPiece(mesh, from, seen, piece, [this](std::uint32_t h) {
+      if (!agrees(h)) turn[mesh.opposite[h] / 3] = 1;
+    });
   }
 
   // Keeps the winding of the majority; of the first triangle if there is none.
@@ -95,7 +87,7 @@ struct Walker {
                           c = mesh.position(vc).cast<double>();
     const double longest =
         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    return !((b - a).cross(c - a).norm() > kFlat * longest);
+    return !(crossOf(mesh, t).norm() > kFlat * longest);
   }
 
   // Nothing of the piece counts any more, but for edges that it shares with others (cuts).
