@@ -138,6 +138,29 @@ std::vector<double> numbersOf(std::string path) {
   return numbers;
 }
 
+TEST(DrawingSvg, PaintsHiddenStrokesFirstAndOutlinesLast) {
+  Drawing drawing;
+  drawing.projection.width = drawing.projection.height = 100;
+  for (const LineFamily family : allLineFamilies()) {
+    for (const bool visible : {true, false}) {
+      drawing.polylines.push_back({.family = family,
+                                   .visible = visible,
+                                   .points = {{0, 0, 0}, {1, 0, 0}},
+                                   .screen = {{10, 10}, {90, 90}},
+                                   .strength = {1, 1}});
+    }
+  }
+  const Figure figure = drawingFigure(drawing, {.hidden = DrawingFigureOptions::Hidden::Show});
+  ASSERT_EQ(figure.groups.size(), 2 * kLineFamilyCount);
+  for (std::size_t i = 0; i < 2 * kLineFamilyCount; ++i) {
+    EXPECT_EQ(figure.groups[i].id.ends_with("-hidden"), i < kLineFamilyCount) << i;
+  }
+  const std::size_t last = figure.groups.size() - 1;
+  EXPECT_EQ(figure.groups[last].id, "exterior-silhouette-visible");
+  EXPECT_EQ(figure.groups[last - 1].id, "boundaries-visible");
+  EXPECT_EQ(figure.groups[last - 2].id, "contours-visible");
+}
+
 TEST(DrawingSvg, GroupsByFamilyAndVisibilityWithTheCoordinatesOfTheDrawing) {
   const std::vector<SvgPath> paths = pathsOf(svgOf({.hidden = DrawingFigureOptions::Hidden::Dash}));
   ASSERT_EQ(paths.size(), 4u);

@@ -57,13 +57,9 @@ class Builder {
   }
 
   Figure build() {
-    // Contours come first in the enumeration and are drawn last, over the others.
-    const auto families = allLineFamilies();
     for (const bool visible : {false, true}) {
       if (!visible && options_.hidden == Options::Hidden::Remove) continue;
-      for (auto family = families.rbegin(); family != families.rend(); ++family) {
-        addGroup(*family, visible);
-      }
+      for (const LineFamily family : paintingOrder()) addGroup(family, visible);
     }
     return std::move(figure_);
   }

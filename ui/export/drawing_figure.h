@@ -35,7 +35,8 @@ struct DrawingFigureOptions {
 
 /// The drawing with one group for each family and visibility that has strokes: id
 /// "apparent-ridges-visible", classes "lines apparent-ridges visible". One path per stroke, in the
-/// order of the drawing; hidden groups lie below. Coordinates are those of the drawing's screen.
+/// order of the drawing; groups in the order of painting (line_style.h). Coordinates are those of
+/// the drawing's screen.
 Figure drawingFigure(const Drawing& drawing, const DrawingFigureOptions& options);
 
 }  // namespace flatland::ui

@@ -5,6 +5,25 @@
 
 namespace flatland::ui {
 
+std::array<LineFamily, kLineFamilyCount> paintingOrder() {
+  using enum LineFamily;
+  return {Isophotes,
+          Topographic,
+          SuggestiveContours,
+          SuggestiveHighlights,
+          ApparentRidges,
+          PrincipalHighlights,
+          Ridges,
+          Valleys,
+          Parabolic,
+          ZeroMeanCurvature,
+          Creases,
+          SelfIntersections,
+          OccludingContours,
+          Boundaries,
+          ExteriorSilhouette};
+}
+
 Rgb lineColour(LineFamily family, Palette palette) {
   const SceneColours& scene = sceneColours(palette);
   const auto mark = [palette](MarkKind kind) { return styleOf(kind, palette).colour; };

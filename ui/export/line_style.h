@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "core3d/lines/line_family.h"
@@ -8,6 +9,12 @@
 #include "ui/export/mark_style.h"
 
 namespace flatland::ui {
+
+/// The order of painting, in the window and in every file: the first is the lowest. Levels, which
+/// fill the surface evenly, come first. Contours and rims come last: other lines run into them, and
+/// must not break them. The silhouette is a part of the contours, and told from them only where it
+/// lies over them. What is hidden lies below all that is visible, of every family.
+std::array<LineFamily, kLineFamilyCount> paintingOrder();
 
 /// The colour that tells a family of lines from the others, wherever it is drawn. Ridges, valleys
 /// and apparent ridges have those of the marks of flatland.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/surface_figure.h"
 
+#include <algorithm>
+
 #include "core3d/draw/draughtsman.h"
 #include "core3d/study/drawn_segments.h"
 #include "ui/export/drawing_figure.h"
@@ -45,6 +47,8 @@ void recolour(std::vector<FigureGroup>& groups, Rgb colour) {
   }
 }
 
+bool isHidden(const FigureGroup& group) { return group.id.ends_with("-hidden"); }
+
 /// The groups of one part of a drawing, by another name.
 std::vector<FigureGroup> groupsOf(const Drawing& drawing, const DrawingFigureOptions& options,
                                   const std::optional<Rgb>& colour, const std::string& name = {}) {
@@ -52,7 +56,7 @@ std::vector<FigureGroup> groupsOf(const Drawing& drawing, const DrawingFigureOpt
   if (colour) recolour(groups, *colour);
   if (name.empty()) return groups;
   for (FigureGroup& group : groups) {
-    const bool hidden = group.id.ends_with("hidden");
+    const bool hidden = isHidden(group);
     group.id = name + (hidden ? "-hidden" : "-visible");
     group.classes = "lines " + name + (hidden ? " hidden" : " visible");
   }
@@ -74,7 +78,7 @@ std::vector<FigureGroup> groupsOf(const Drawing& drawing, DrawingFigureOptions o
   options.style = DrawingFigureOptions::Style::Plain;
   std::vector<FigureGroup> groups = drawingFigure(drawing, options).groups;
   for (FigureGroup& group : groups) {
-    const bool hidden = group.id.ends_with("hidden");
+    const bool hidden = isHidden(group);
     const std::string seen = hidden ? "hidden" : "visible";
     group.id = lines.name + "-" + seen;
     group.classes = "lines " + lines.classes + " " + seen;
@@ -122,7 +126,8 @@ class Views {
     options.colours = true;
     options.palette = picture.palette;
     const Projection looking = projection(picture.pane.camera, width, height);
-    // As in the window: lines that are no family below the others, marks above all.
+    // As in the window: lines that are no family below the others, hidden ones below all that is
+    // visible, marks above all.
     const auto add = [&figure](std::vector<FigureGroup> groups) {
       for (FigureGroup& group : groups) figure.groups.push_back(std::move(group));
     };
@@ -130,6 +135,8 @@ class Views {
     add(sectionGroups(picture, looking, options));
     add(picture.pane.difference ? differenceGroups(picture, looking, options)
                                 : familyGroups(picture, looking, options));
+    std::stable_partition(figure.groups.begin(), figure.groups.end(),
+                          [](const FigureGroup& group) { return isHidden(group); });
     add(markGroups(picture, looking, 1.0));
     return figure;
   }
@@ -161,7 +168,7 @@ class Views {
     const Drawing drawing = draughtsman_.draw(looking, found, lines, strokes);
     options.threshold = drawing.weak;
     std::vector<FigureGroup> all;
-    for (const LineFamily family : allLineFamilies()) {
+    for (const LineFamily family : paintingOrder()) {
       const SurfaceFamily look = familyOf(picture.setting, family);
       options.widthPx = look.widthPx;
       const bool fades = look.fade && !picture.setting.unfiltered;

@@ -9,6 +9,7 @@
 
 #include "ui/export/figure_cells.h"
 #include "ui/export/figure_qt.h"
+#include "ui/export/line_style.h"
 #include "ui/model/orbit.h"
 #include "ui/model/theme.h"
 #include "ui/view3d/mark_groups.h"
@@ -65,8 +66,12 @@ class Painter {
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) corners_.push_back(cornerOf(v));
     for (const auto& triangle : mesh.triangles) paintTriangle(triangle);
     QImage small = image_.scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    paintMarks(small);
-    paintLines(small);
+    const HiddenLines hidden = hiddenOf(picture_.setting);
+    for (const bool visible : {false, true}) {
+      if (!visible && hidden == HiddenLines::Off) continue;
+      paintMarks(small, hidden, visible);
+      paintLines(small, hidden, visible);
+    }
     return small;
   }
 
@@ -170,34 +175,41 @@ class Painter {
     return colour * (0.86f + 0.14f * std::max(light, 0.0f));
   }
 
-  void paintMarks(QImage& image) const {
+  /// Of all marks, and then of all lines, what is visible or what is hidden.
+  void paintMarks(QImage& image, HiddenLines hidden, bool visible) const {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    const HiddenLines hidden = hiddenOf(picture_.setting);
     for (const MarkLines& marks : picture_.marks) {
       const std::vector<LineVertex>& ends = *marks.ends;
       const LineLayer layer{&ends, marks.colour, marks.widthPx, 0.0};
       for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
-        paintSegment(painter, ends[i], ends[i + 1], layer, hidden, marks.ink);
+        paintSegment(painter, ends[i], ends[i + 1], layer, {hidden, visible}, marks.ink);
       }
     }
   }
 
-  void paintLines(QImage& image) const {
+  void paintLines(QImage& image, HiddenLines hidden, bool visible) const {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    const HiddenLines hidden = hiddenOf(picture_.setting);
     for (const LineLayer& layer : lineLayers(picture_)) {
       for (std::size_t i = 0; i + 1 < layer.ends->size(); i += 2) {
         const auto seen = layer.visibleEnds ? std::optional(i < *layer.visibleEnds) : std::nullopt;
-        paintSegment(painter, (*layer.ends)[i], (*layer.ends)[i + 1], layer, hidden, 1.0f, seen);
+        if (seen && *seen != visible) continue;
+        paintSegment(painter, (*layer.ends)[i], (*layer.ends)[i + 1], layer, {hidden, visible},
+                     1.0f, seen);
       }
     }
   }
 
+  /// What of a segment is painted: its visible part, or its hidden part and how.
+  struct Part {
+    HiddenLines hidden;
+    bool visible;
+  };
+
   /// `seen`: whether it is not hidden, if that is known.
   void paintSegment(QPainter& painter, const LineVertex& a, const LineVertex& b,
-                    const LineLayer& layer, HiddenLines hidden, float opacity = 1.0f,
+                    const LineLayer& layer, Part part, float opacity = 1.0f,
                     std::optional<bool> seen = {}) const {
     bool aInFront = false, bInFront = false;
     const Vector3f from = toPicture({a.x, a.y, a.z}, &aInFront);
@@ -219,7 +231,9 @@ class Painter {
       const float middle = 0.5f * (at + (reached < 1.0f ? next : last));
       const bool isGap = static_cast<long>(std::floor(middle)) % 2 != 0;
       const bool visible = seen ? *seen : isVisible(from + 0.5f * (done + reached) * (to - from));
-      const float opacityHere = visible ? 1.0f : hiddenOpacity(hidden, isGap);
+      const float opacityHere = visible != part.visible ? 0.0f
+                                : visible               ? 1.0f
+                                                        : hiddenOpacity(part.hidden, isGap);
       if (opacityHere != before) {
         paintPiece(painter, from + begun * (to - from), from + done * (to - from), layer,
                    before * ink);
@@ -301,15 +315,6 @@ Rgb differenceColour(std::size_t part, Palette palette) {
   }
 }
 
-namespace {
-
-bool isOutline(LineFamily family) {
-  return family == LineFamily::ExteriorSilhouette || family == LineFamily::OccludingContours ||
-         family == LineFamily::Boundaries;
-}
-
-}  // namespace
-
 std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
   if (!picture.seen || !picture.surface ||
       !isSameSurface(*picture.surface, *picture.seen->surface)) {
@@ -325,18 +330,11 @@ std::vector<LineLayer> lineLayers(const SurfacePicture& picture) {
     }
     return layers;
   }
-  // Contours and rims last: other lines run into them, and must not break them.
-  auto order = allLineFamilies();
-  std::stable_partition(order.begin(), order.end(),
-                        [](LineFamily family) { return !isOutline(family); });
-  // The silhouette is a part of the contours, and told from them only where it lies over them.
-  std::stable_partition(order.begin(), order.end(),
-                        [](LineFamily family) { return family != LineFamily::ExteriorSilhouette; });
   const SeenSurface& seen = *picture.seen;
   const bool knowsHidden =
       seen.surface->mesh == picture.surface->mesh &&
       seen.knowsHidden(orbitView(picture.setting.camera, picture.surface->ballRadius));
-  for (const LineFamily family : order) {
+  for (const LineFamily family : paintingOrder()) {
     const auto index = static_cast<std::size_t>(family);
     const SurfaceFamily look = familyOf(picture.setting, family);
     if (!look.on) continue;
