@@ -136,16 +136,32 @@ class SurfaceFilesTest : public QObject {
     const ColourScale scale = models.seen.seen()->colours->scale;
     QImage image = exported("colours.png");
     QCOMPARE(image.size(), QSize(640, 480));
-    // Somewhere at the bottom right is a bar of all its colours, 220 px long.
-    bool found = false;
-    for (int y = image.height() - 60; y < image.height() - 10 && !found; ++y) {
-      found = true;
-      for (int x = 5; x < 215 && found; x += 10) {
-        const Rgb c = scale.at((x + 0.5) / 220.0, picturesOf(models)[0].palette);
-        found = image.pixel(image.width() - 230 + x, y) == qRgb(c.r, c.g, c.b);
+    const auto barTop = [&scale, &models](const QImage& picture) {
+      // The first row that has a bar of all its colours at the right, 220 px long.
+      const SurfacePicture shown = pictureOf(models);
+      for (int y = 0; y < picture.height(); ++y) {
+        bool found = true;
+        for (int x = 5; x < 215 && found; x += 10) {
+          const Rgb c = scale.at((x + 0.5) / 220.0, shown.palette);
+          found = picture.pixel(picture.width() - 228 + x, y) == qRgb(c.r, c.g, c.b);
+        }
+        if (found) return y;
       }
+      return -1;
+    };
+    const int top = barTop(image);
+    QVERIFY2(top > 480 - 50, qPrintable(QString::number(top)));
+    // The surface is above it, as in a picture of that height.
+    SurfacePicture alone = pictureOf(models);
+    const QImage above = paintSurface(alone, {640, top - 5});
+    for (int y = 0; y < above.height(); y += 7) {
+      for (int x = 0; x < above.width(); x += 7) QCOMPARE(image.pixel(x, y), above.pixel(x, y));
     }
-    QVERIFY(found);
+    // One for all views.
+    driver_->trigger("surface.compare.four");
+    QVERIFY(driver_->quiet());
+    image = exported("four.png");
+    QVERIFY(barTop(image) > 480 - 50);
     driver_->trigger("surface.compare.difference");
     QVERIFY(driver_->quiet());
     image = exported("difference.png");

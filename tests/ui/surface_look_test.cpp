@@ -12,8 +12,10 @@
 #include "ui/app/surface_controller.h"
 #include "ui/commands/scene_commands.h"
 #include "ui/model/surface_look.h"
+#include "ui/model/theme.h"
 #include "ui/view3d/gl_canvas.h"
 #include "ui/view3d/surface_area.h"
+#include "ui/view3d/surface_overlay.h"
 #include "ui/view3d/surface_picture.h"
 
 using namespace flatland;
@@ -62,6 +64,54 @@ class SurfaceLookTest : public QObject {
     QVERIFY(driver_->surfaceQuiet());
   }
   void cleanup() { driver_.reset(); }
+
+  /// One for all views, below them: over a surface it would hide it, or be lost on it.
+  void theLegendOfColoursLiesBelowTheViews() {
+    auto& strip = driver_->child<QWidget>("surface.colours");
+    QVERIFY(!strip.isVisible());
+    driver_->trigger("surface.compare.four");
+    auto& style = driver_->child<QComboBox>("surface.style");
+    style.setFocus();
+    QTest::keyClick(&style, Qt::Key_End);
+    QVERIFY(driver_->surfaceQuiet());
+    QVERIFY(strip.isVisible());
+    QCOMPARE(strip.toolTip(), strip.accessibleDescription());
+    const SurfaceArea& area = driver_->window().surfaceArea();
+    const auto rectOf = [&area](const QWidget& widget) {
+      return QRect(widget.mapTo(&area, QPoint()), widget.size());
+    };
+    for (std::size_t pane = 0; pane < 4; ++pane) {
+      QVERIFY(rectOf(*area.canvas(pane)).bottom() < rectOf(strip).top());
+      // Nothing else is written where it once was.
+      SurfaceOverlay& overlay = *area.overlay(pane);
+      QImage words(overlay.size(), QImage::Format_ARGB32);
+      words.fill(Qt::transparent);
+      overlay.render(&words, {}, {}, QWidget::DrawChildren);
+      int drawn = 0;
+      for (int y = words.height() / 2; y < words.height(); ++y) {
+        for (int x = words.width() / 2; x < words.width(); ++x) {
+          drawn += qAlpha(words.pixel(x, y)) > 0;
+        }
+      }
+      QCOMPARE(drawn, 0);
+    }
+    // It has the colours that the surface has, end to end.
+    const VertexColours& colours = *driver_->window().surfaceModels().seen.seen()->colours;
+    const QImage row = strip.grab().toImage();
+    for (const double share : {0.01, 0.99}) {
+      const Rgb end = colours.scale.at(share, themePalette());
+      int near = 0;
+      for (int x = 0; x < row.width(); ++x) {
+        const QColor c = row.pixelColor(x, row.height() / 4);
+        near +=
+            std::abs(c.red() - end.r) + std::abs(c.green() - end.g) + std::abs(c.blue() - end.b) <
+            12;
+      }
+      QVERIFY(near > 0);
+    }
+    QTest::keyClick(&style, Qt::Key_Home);
+    QVERIFY(!strip.isVisible());
+  }
 
   /// Each style by the keys of its box: OpenGL and the painter agree on all, and the styles differ.
   void paintersAgreeOnEveryShading() {

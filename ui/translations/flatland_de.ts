@@ -3899,6 +3899,13 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::ColourStrip</name>
+    <message>
+        <source>Legend of the colours</source>
+        <translation>Legende der Farben</translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::CurvePanel</name>
     <message>
         <source>&amp;Convert to Bezier Chain</source>

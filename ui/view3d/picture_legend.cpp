@@ -4,7 +4,9 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "ui/export/figure_qt.h"
 #include "ui/view3d/surface_overlay.h"
@@ -20,6 +22,7 @@ struct LegendWords {
 constexpr int kSamplePx = 18;   ///< of a line
 constexpr QSize kBar(220, 14);  ///< of a colour map
 constexpr int kTickPx = 3;
+constexpr int kLegendMargin = 4;  ///< above and below; twice that at the sides
 
 }  // namespace
 
@@ -53,6 +56,31 @@ QString shortNumber(double value) {
                     QLocale().toString(size / std::pow(10.0, exponent), 'g', 2), power);
 }
 
+/// A number below the bar.
+struct Label {
+  QString text;
+  int left, width;
+};
+
+/// Those of the ticks that there is room for, the ends of the scale before all others.
+std::vector<Label> labelsOf(const ColourScale& scale, const QFontMetrics& metrics, int barWidth) {
+  constexpr int kGapPx = 6;
+  std::vector<Label> labels;
+  for (const double tick : scale.ticks()) {
+    const QString text = shortNumber(scale.logarithmic ? std::pow(10.0, tick) : tick);
+    const int width = metrics.horizontalAdvance(text);
+    const int middle = qRound(scale.share(tick) * (barWidth - 1));
+    const int left = std::clamp(middle - width / 2, 0, std::max(barWidth - width, 0));
+    const bool fits = std::none_of(labels.begin(), labels.end(), [left, width](const Label& other) {
+      return left < other.left + other.width + kGapPx && other.left < left + width + kGapPx;
+    });
+    if (fits) labels.push_back({text, left, width});
+  }
+  return labels;
+}
+
+}  // namespace
+
 QStringList legendWords(const ColourScale& scale) {
   QStringList words{quantityWords(scale.quantity)};
   if (scale.knee > 0.0) {
@@ -63,48 +91,42 @@ QStringList legendWords(const ColourScale& scale) {
   return words;
 }
 
-/// The bar of a colour map with its ends.
-int paintBar(QPainter& painter, const QRect& bounds, const SurfacePicture& picture) {
-  const VertexColours* map = picture.surface ? picture.colours() : nullptr;
-  if (!map) return 0;
-  const ColourScale& scale = map->scale;
-  const int line = painter.fontMetrics().height();
-  const QSize bar = kBar * picture.lineScale;
-  const QRect box(bounds.right() + 1 - bar.width(), bounds.bottom() + 1 - line - bar.height(),
-                  bar.width(), bar.height());
-  QColor ground = painter.background().color();
-  ground.setAlphaF(static_cast<float>(kBehindText));
-  const QStringList title = legendWords(scale);
-  int width = bar.width();
-  for (const QString& words : title) {
-    width = std::max(width, painter.fontMetrics().horizontalAdvance(words));
-  }
-  const int height = line * static_cast<int>(title.size());
-  const QRect name(bounds.right() + 1 - width, box.top() - height - 2, width, height);
-  painter.fillRect(name.adjusted(-4, -2, 4, 2), ground);
-  painter.drawText(name, Qt::AlignRight | Qt::AlignVCenter, title.join('\n'));
-  for (int x = 0; x < box.width(); ++x) {
-    const Rgb c = scale.at((x + 0.5) / box.width(), picture.palette);
-    painter.fillRect(box.left() + x, box.top(), 1, box.height(), toQColor(c));
-  }
-  painter.drawRect(box.adjusted(0, 0, -1, -1));
-  for (const double tick : scale.ticks()) {
-    const int x = box.left() + qRound(scale.share(tick) * (box.width() - 1));
-    painter.drawLine(x, box.bottom() - kTickPx, x, box.bottom());
-  }
-  const auto end = [&scale](double value) {
-    return shortNumber(scale.logarithmic ? std::pow(10.0, value) : value);
-  };
-  const QRect words(box.left(), box.bottom() + 1, box.width(), line);
-  painter.fillRect(words, ground);
-  painter.drawText(words, Qt::AlignLeft, end(scale.low));
-  if (scale.diverging) painter.drawText(words, Qt::AlignHCenter, scale.logarithmic ? "1" : "0");
-  painter.drawText(words, Qt::AlignRight, end(scale.high));
-  return bounds.bottom() - name.top() + 6;
+int colourLegendHeight(const QFontMetrics& metrics, double scale) {
+  return std::max(2 * metrics.height(), qRound(kBar.height() * scale) + metrics.height()) +
+         2 * kLegendMargin;
 }
 
-/// The colours of a difference, each with its share.
-int paintShares(QPainter& painter, const QRect& bounds, const SurfacePicture& picture) {
+void paintColourLegend(QPainter& painter, const QRect& bounds, const SurfacePicture& picture) {
+  const VertexColours* map = picture.surface ? picture.colours() : nullptr;
+  if (!map) return;
+  const ColourScale& scale = map->scale;
+  const QFontMetrics metrics = painter.fontMetrics();
+  const QRect inner = bounds.adjusted(2 * kLegendMargin, kLegendMargin, -2 * kLegendMargin, 0);
+  const int width = std::min(qRound(kBar.width() * picture.lineScale), inner.width() * 3 / 5);
+  const QRect bar(inner.right() + 1 - width, inner.top(), width,
+                  qRound(kBar.height() * picture.lineScale));
+  for (int x = 0; x < bar.width(); ++x) {
+    const Rgb c = scale.at((x + 0.5) / bar.width(), picture.palette);
+    painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), toQColor(c));
+  }
+  painter.drawRect(bar.adjusted(0, 0, -1, -1));
+  for (const double tick : scale.ticks()) {
+    const int x = bar.left() + qRound(scale.share(tick) * (bar.width() - 1));
+    painter.drawLine(x, bar.bottom() - kTickPx, x, bar.bottom());
+  }
+  for (const Label& label : labelsOf(scale, metrics, bar.width())) {
+    painter.drawText(
+        QRect(bar.left() + label.left, bar.bottom() + 1, label.width, metrics.height()),
+        Qt::AlignLeft | Qt::TextDontClip, label.text);
+  }
+  QStringList words = legendWords(scale);
+  const QRect title(inner.left(), inner.top(), bar.left() - inner.left() - 10,
+                    metrics.height() * static_cast<int>(words.size()));
+  for (QString& line : words) line = metrics.elidedText(line, Qt::ElideRight, title.width());
+  painter.drawText(title, Qt::AlignRight | Qt::AlignTop, words.join('\n'));
+}
+
+int paintDifferenceLegend(QPainter& painter, const QRect& bounds, const SurfacePicture& picture) {
   const QStringList lines = differenceLines(picture);
   if (lines.isEmpty()) return 0;
   const QFontMetrics metrics = painter.fontMetrics();
@@ -124,13 +146,6 @@ int paintShares(QPainter& painter, const QRect& bounds, const SurfacePicture& pi
                      lines[i]);
   }
   return box.height() + gap;
-}
-
-}  // namespace
-
-int paintLegend(QPainter& painter, const QRect& bounds, const SurfacePicture& picture) {
-  const int taken = paintBar(painter, bounds, picture);
-  return taken + paintShares(painter, bounds.adjusted(0, 0, 0, -taken), picture);
 }
 
 }  // namespace flatland::ui

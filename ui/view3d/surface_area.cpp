@@ -9,6 +9,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include "ui/view3d/colour_strip.h"
 #include "ui/view3d/pane_widget.h"
 #include "ui/view3d/surface_input.h"
 
@@ -27,6 +28,7 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
       empty_(new QLabel(this)),
       progress_(nullptr),
       views_(new QWidget(pages_)),
+      colours_(new ColourStrip(models, this)),
       grid_(new QGridLayout(views_)) {
   setObjectName("surface-area");
   progress_ = makeProgress();  // not before its own parts have their initial values
@@ -43,6 +45,7 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(progress_);
   layout->addWidget(pages_, 1);
+  layout->addWidget(colours_);
   connect(&models_.source, &SurfaceSource::changed, this, &SurfaceArea::showState);
   connect(&models_.source, &SurfaceSource::busyChanged, this, &SurfaceArea::showState);
   connect(&models_.source, &SurfaceSource::progressed, this,
@@ -169,6 +172,8 @@ void SurfaceArea::setBar(int maximum, int value) {
 void SurfaceArea::showState() {
   const bool there = !panes_.empty() && models_.source.surface();
   pages_->setCurrentWidget(there ? views_ : empty_);
+  const auto& setting = models_.document.scene().surface;
+  colours_->setVisible(there && setting && styleOf(*setting) == SurfaceStyle::Colours);
   const bool busy = models_.source.isBusy();
   const bool givenUp = models_.source.isGivenUp();
   progress_->setVisible(busy || givenUp);
@@ -190,7 +195,6 @@ void SurfaceArea::showState() {
       setBar(100, 0);
     }
   }
-  const auto& setting = models_.document.scene().surface;
   empty_->setText(
       setting ? QString::fromStdString(surfaceName(setting->mesh))
               : tr("No surface yet. Open a mesh (PLY, OBJ, STL, OFF, glTF) by Surface > Open Mesh, "

@@ -14,6 +14,7 @@ class QToolButton;
 
 namespace flatland::ui {
 
+class ColourStrip;
 class PaneWidget;
 class SurfaceOverlay;
 
@@ -65,6 +66,7 @@ class SurfaceArea : public QWidget {
   QToolButton* cancel_ = nullptr;
   QToolButton* goOn_ = nullptr;
   QWidget* views_;
+  ColourStrip* colours_;
   QGridLayout* grid_;
   std::vector<PaneWidget*> panes_;  ///< owned by views_
   bool shown_ = false;

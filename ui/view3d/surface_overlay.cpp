@@ -163,8 +163,8 @@ void SurfaceOverlay::paintEvent(QPaintEvent*) {
   // Beside other views the name stands in the first one alone.
   if (models_.pane == 0) paintLines(painter, rect(), titleLines(), Qt::AlignLeft | Qt::AlignTop);
   paintLines(painter, rect(), timeLines(), Qt::AlignRight | Qt::AlignTop);
-  const int taken =
-      paintLegend(painter, rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture);
+  const int taken = paintDifferenceLegend(
+      painter, rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture);
   // In a narrow view there is no room beside the legend.
   const bool narrow = width() < kNarrowWidth * models_.display.uiScale();
   paintLines(painter, rect().adjusted(0, 0, 0, narrow ? -taken : 0), readingLines(),

@@ -418,7 +418,7 @@ QImage paintSurface(const SurfacePicture& picture, const QSize& size, double rat
 
 namespace {
 
-/// With what the window has above it: marks, and the legend of its colours.
+/// With what the window has above it: marks, and the legend of a difference.
 QImage paintWithMarks(const SurfacePicture& picture, const QSize& size, double ratio) {
   constexpr int kMargin = 10;
   QImage image = paintSurface(picture, size, ratio);
@@ -435,22 +435,30 @@ QImage paintWithMarks(const SurfacePicture& picture, const QSize& size, double r
   const SceneColours& colours = sceneColours(picture.palette);
   painter.setPen(toQColor(colours.text));
   painter.setBackground(toQColor(colours.background));
-  paintLegend(painter, bounds.toRect().adjusted(kMargin, kMargin, -kMargin, -kMargin), picture);
+  paintDifferenceLegend(painter, bounds.toRect().adjusted(kMargin, kMargin, -kMargin, -kMargin),
+                        picture);
   return image;
 }
 
 }  // namespace
 
 QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size, double ratio) {
-  if (pictures.size() == 1) return paintWithMarks(pictures.front(), size, ratio);
+  const SurfacePicture& first = pictures.front();
   QImage all(size, QImage::Format_RGB32);
-  const SceneColours& colours = sceneColours(pictures.front().palette);
+  const SceneColours& colours = sceneColours(first.palette);
   all.fill(toQColor(colours.background));
   QPainter painter(&all);
   painter.setPen(toQColor(colours.text));
+  const double width = size.width() / ratio, height = size.height() / ratio;  // of the window
+  // All views have the same colours: one legend, below them.
+  double below = 0.0;
+  if (first.surface && first.colours()) {
+    below = colourLegendHeight(painter.fontMetrics(), first.lineScale);
+    painter.scale(ratio, ratio);
+    paintColourLegend(painter, QRectF(0.0, height - below, width, below).toRect(), first);
+  }
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const CellPlace place =
-        cellPlace(i, pictures.size(), size.width() / ratio, size.height() / ratio);
+    const CellPlace place = cellPlace(i, pictures.size(), width, std::max(height - below, 1.0));
     const QRectF there(place.left, place.top, place.width, place.height);
     const QRect cell(
         QPoint(qRound(there.left() * ratio), qRound(there.top() * ratio)),
@@ -458,6 +466,7 @@ QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& s
     painter.resetTransform();
     painter.drawImage(cell.topLeft(), paintWithMarks(pictures[i], cell.size(), ratio));
     painter.scale(ratio, ratio);
+    if (place.titleHeight == 0.0) continue;
     painter.drawText(QRectF(there.left() + 4.0, there.top() - place.titleHeight,
                             there.width() - 8.0, place.titleHeight),
                      Qt::AlignLeft | Qt::AlignVCenter, QString::fromStdString(pictures[i].title));

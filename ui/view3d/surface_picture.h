@@ -78,7 +78,7 @@ inline constexpr float kHiddenInk = 0.5f;  ///< opacity of lines that are hidden
 QImage paintSurface(const SurfacePicture& picture, const QSize& size, double ratio = 1.0);
 
 /// Several of them side by side, with their titles (figure_cells.h), and with what the window has
-/// above them: marks and legends. `size` in pixels, of which `ratio` are one of the window.
+/// beside them: marks and legends. `size` in pixels, of which `ratio` are one of the window.
 QImage paintSurfaces(const std::vector<SurfacePicture>& pictures, const QSize& size,
                      double ratio = 1.0);
 
