@@ -136,7 +136,8 @@ void Docks::showWithHeight(const char* id, int height) {
   show(id);
   for (QDockWidget* dock : all_) {
     if (dock->objectName() != QLatin1String(id) || dock->isFloating()) continue;
-    window_.resizeDocks({dock}, {qMin(height, window_.height() * 9 / 20)}, Qt::Vertical);
+    const int row = height + dock->titleBarWidget()->sizeHint().height();
+    window_.resizeDocks({dock}, {qMin(row, window_.height() * 9 / 20)}, Qt::Vertical);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <utility>
 
 #include "ui/app/docks.h"
 #include "ui/model/display.h"
@@ -66,7 +67,7 @@ Layouts::Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& 
 
 void Layouts::use(Kind kind) {
   if (kind == current_) return;
-  states_[current_] = window_.saveState(kVersion);
+  states()[current_] = window_.saveState(kVersion);
   const bool wasProjector = current_ == Kind::Projector;
   if (kind == Kind::Projector) {
     beforeProjector_ = current_;
@@ -91,9 +92,49 @@ void Layouts::toggleProjector() {
 }
 
 void Layouts::enter(Kind kind) {
-  const QByteArray state = states_.value(kind);
+  QByteArray state = states().value(kind);
+  if (own_ && state.isEmpty() && kind == Kind::Work) state = states_.value(kind);
   if (state.isEmpty() || !window_.restoreState(state, kVersion)) arrange();
   showParts();
+  showLessonPanel();
+}
+
+void Layouts::beginLesson() {
+  states_[current_] = window_.saveState(kVersion);
+  own_ = Own{current_, beforeProjector_, flatBeside_};
+  enter(current_);
+}
+
+void Layouts::endLesson() {
+  if (!own_) return;
+  const Own own = *std::exchange(own_, std::nullopt);
+  lessonStates_.clear();
+  lessonOpened_.clear();
+  lessonPanel_.clear();
+  flatBeside_ = own.flatBeside;
+  if (current_ != Kind::Projector) {
+    current_ = own.current == Kind::Projector ? own.beforeProjector : own.current;
+  } else {
+    beforeProjector_ = own.current == Kind::Projector ? own.beforeProjector : own.current;
+  }
+  enter(current_);
+  emit changed();
+}
+
+void Layouts::setLessonPanel(const QString& id) {
+  lessonPanel_ = id;
+  showLessonPanel();
+}
+
+void Layouts::showLessonPanel() {
+  if (!own_) return;
+  for (const QString& opened : lessonOpened_) {
+    const bool stays = opened == lessonPanel_ || current_ == Kind::Work;
+    if (!stays) docks_.hide(opened.toLatin1().constData());
+  }
+  if (lessonPanel_.isEmpty()) return;
+  docks_.show(lessonPanel_.toLatin1().constData());
+  if (!lessonOpened_.contains(lessonPanel_)) lessonOpened_ << lessonPanel_;
 }
 
 void Layouts::showParts() {
@@ -115,6 +156,7 @@ void Layouts::setFlatBeside(bool shows) {
 
 void Layouts::arrange() {
   docks_.setScale(display_.uiScale());
+  if (own_ && current_ != Kind::Work) return arrangeForLesson();
   switch (current_) {
     case Kind::Work:
       docks_.arrangeBut(kSurfacePanels + kPickPanels);
@@ -132,7 +174,19 @@ void Layouts::arrange() {
   showParts();
 }
 
-void Layouts::restoreDefault() { arrange(); }
+void Layouts::arrangeForLesson() {
+  QStringList panels{"lesson"};
+  if (!lessonPanel_.isEmpty()) panels << lessonPanel_;
+  if (current_ == Kind::Projector && !surfaceThere_) panels << "legend";
+  if (current_ == Kind::Projector && surfaceThere_ && lessonPanel_.isEmpty()) panels << "families";
+  docks_.arrangeOnly(panels);
+  showParts();
+}
+
+void Layouts::restoreDefault() {
+  arrange();
+  emit changed();  // what stands in it beside the docks goes by it
+}
 
 void Layouts::restore(const QSettings& settings) {
   for (const Kind kind : kKinds) {
@@ -148,11 +202,14 @@ void Layouts::restore(const QSettings& settings) {
 
 void Layouts::save(QSettings& settings) const {
   const bool projector = current_ == Kind::Projector;
-  settings.setValue("window/flat-beside", flatBeside_);
+  const Own own = own_.value_or(Own{current_, beforeProjector_, flatBeside_});
+  settings.setValue("window/flat-beside", own.flatBeside);
   settings.setValue("window/geometry", projector ? geometry_ : window_.saveGeometry());
-  settings.setValue("window/layout", nameOf(projector ? beforeProjector_ : current_));
+  const Kind kept = own.current == Kind::Projector ? own.beforeProjector : own.current;
+  settings.setValue("window/layout", nameOf(kept));
   for (const Kind kind : kKinds) {
-    const QByteArray state = kind == current_ ? window_.saveState(kVersion) : states_.value(kind);
+    const bool isShown = !own_ && kind == current_;
+    const QByteArray state = isShown ? window_.saveState(kVersion) : states_.value(kind);
     if (!state.isEmpty()) settings.setValue("window/layout-" + nameOf(kind), state);
   }
 }

@@ -49,6 +49,17 @@ class Layouts : public QObject {
   bool showsFlatBeside() const { return flatBeside_; }
   void setFlatBeside(bool shows);
 
+  /// While a lesson is given a layout has another arrangement, for as long as the lesson lasts: the
+  /// strip, and with a surface or on the wall the panel of the step and no other. That of all
+  /// panels stays as the person has it, with the strip. Then the layout there was before, its
+  /// arrangement and whether it had the curves beside the surface come back; the projector stays if
+  /// it is on.
+  void beginLesson();
+  void endLesson();
+  /// The panel that the step of the lesson speaks of, in front in every layout; empty: none. The
+  /// one of the step before goes.
+  void setLessonPanel(const QString& id);
+
   /// Leaves the arrangement there is as it is, for the next time, and takes that of `kind` as it
   /// was left. Leaving the projector brings back size and place of the window too.
   void use(Kind kind);
@@ -70,7 +81,10 @@ class Layouts : public QObject {
  private:
   void enter(Kind kind);
   void arrange();
+  void arrangeForLesson();
+  void showLessonPanel();
   void showParts();
+  QMap<Kind, QByteArray>& states() { return own_ ? lessonStates_ : states_; }
 
   QMainWindow& window_;
   Docks& docks_;
@@ -86,6 +100,15 @@ class Layouts : public QObject {
   QRect place_;
   Qt::WindowStates windowState_;
   QMap<Kind, QByteArray> states_;
+
+  struct Own {
+    Kind current, beforeProjector;
+    bool flatBeside;
+  };
+  std::optional<Own> own_;  ///< the person's, while a lesson is given
+  QMap<Kind, QByteArray> lessonStates_;
+  QString lessonPanel_;
+  QStringList lessonOpened_;  ///< what steps have opened
 };
 
 }  // namespace flatland::ui

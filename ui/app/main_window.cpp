@@ -21,6 +21,7 @@
 #include "ui/app/key_sheet.h"
 #include "ui/app/language.h"
 #include "ui/app/layouts.h"
+#include "ui/app/lesson_controller.h"
 #include "ui/app/look.h"
 #include "ui/app/menus.h"
 #include "ui/app/message_bar.h"
@@ -29,19 +30,21 @@
 #include "ui/app/surface_controller.h"
 #include "ui/flat/crossing_overlay.h"
 #include "ui/import/mesh_name.h"
+#include "ui/lesson/lesson_panel.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/paths.h"
 #include "ui/panels/save_name.h"
+#include "ui/view3d/derivation_panel.h"
 #include "ui/view3d/section_panel.h"
 #include "ui/view3d/surface_area.h"
+#include "ui/view3d/triangle_panel.h"
 
 namespace flatland::ui {
 
 namespace {
 
 constexpr QSize kDefaultSize(1280, 800);
-constexpr int kSurfaceShare = 2;    ///< of the width, to one of the canvas
-constexpr int kLessonHeight = 270;  ///< formula, both sides and switches, nothing scrolled away
+constexpr int kSurfaceShare = 2;  ///< of the width, to one of the canvas
 
 QString droppedFile(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
@@ -168,34 +171,11 @@ void MainWindow::connectParts() {
   connect(&display_, &Display::changed, status_,
           [this] { status_->setFewFields(display_.isProjector()); });
   connect(lessons_, &LessonFiles::failed, messages_, &MessageBar::showError);
-  const auto showStrip = [this] {
-    docks_->showWithHeight("lesson", qRound(kLessonHeight * display_.uiScale()));
-  };
-  connect(lessons_, &LessonFiles::opened, this, [this, showStrip] {
-    messages_->hide();
-    showStrip();
-  });
-  // There is the strip as long as there is a lesson, and not longer; among all panels it steps back
-  // behind the others of its place.
-  const auto hideStrip = [this] {
-    if (!lesson_.isOpen() && layouts_->current() != Layouts::Kind::Work) docks_->hide("lesson");
-  };
-  connect(&lesson_, &LessonModel::changed, this, [this] {
-    if (lesson_.isOpen() || layouts_->current() != Layouts::Kind::Work) return;
-    for (QDockWidget* other : tabifiedDockWidgets(findChild<QDockWidget*>("lesson"))) {
-      if (!other->isHidden()) return other->raise();
-    }
-    docks_->hide("lesson");
-  });
-  connect(&lesson_, &LessonModel::changed, this, hideStrip);
-  connect(layouts_, &Layouts::changed, this, [this, showStrip, hideStrip] {
-    hideStrip();
-    const bool hidesIt = layouts_->current() == Layouts::Kind::Projector ||
-                         layouts_->current() == Layouts::Kind::Surface;
-    if (lesson_.isOpen() && hidesIt) showStrip();
-  });
-  connect(&lesson_, &LessonModel::panelWanted, this,
-          [this](const QString& id) { docks_->show(id.toLatin1().constData()); });
+  connect(lessons_, &LessonFiles::opened, messages_, &QWidget::hide);
+  auto* lessons = new LessonController(lesson_, *layouts_, *docks_, *findChild<LessonPanel*>(),
+                                       *surfaceArea_, *canvas_, *centre_, this);
+  lessons->lendKeys(*findChild<DerivationPanel*>());
+  lessons->lendKeys(*findChild<TrianglePanel*>());
   connect(&lesson_, &LessonModel::pickWanted, this, [this](const LessonPick& pick) {
     surfacePick_.pickWhenRead(pick.isTriangle, pick.number);
   });

@@ -50,6 +50,7 @@ LessonModel::LessonModel(Document& document, Probe& probe, Display& display, QOb
 
 void LessonModel::start(Lesson lesson) {
   leave();
+  emit aboutToStart();
   own_ = Own{document_.scene(), probe_.place(), display_.families(), display_.showsPrintedRoots(),
              document_.undoStack().index()};
   lesson_ = std::move(lesson);
@@ -141,8 +142,12 @@ void LessonModel::apply(bool keepScene) {
     if (state.pick) emit pickWanted(*state.pick);
   }
   showSettings();
-  if (!state.panel.empty()) emit panelWanted(QString::fromStdString(state.panel));
-  emit surfaceEquationWanted(QString::fromStdString(state.surfaceEquation));
+  askForPanels();
+}
+
+void LessonModel::askForPanels() {
+  emit panelWanted(QString::fromStdString(step().state.panel));
+  emit surfaceEquationWanted(QString::fromStdString(step().state.surfaceEquation));
 }
 
 /// What a step shows beside its scene.
@@ -191,6 +196,7 @@ void LessonModel::followUndo() {
       index_ = std::min(step, count() - 1);
       const LessonState& state = this->step().state;
       if (state.probeT) probe_.setPlace(Probe::Place{state.probeCurve, *state.probeT});
+      askForPanels();
     }
     return showSettings();
   }

@@ -70,7 +70,9 @@ class LessonModel : public QObject {
  signals:
   /// The lesson, its step or the variant is another.
   void changed();
-  /// A step asks for this dock in front.
+  /// A lesson starts: nothing of the window has changed yet.
+  void aboutToStart();
+  /// A step was gone to that asks for this dock in front; empty: for none.
   void panelWanted(const QString& id);
   /// The equation of kSurfaceEquations of the step that is gone to, empty for none.
   void surfaceEquationWanted(const QString& id);
@@ -88,6 +90,7 @@ class LessonModel : public QObject {
 
   void apply(bool keepScene);
   void showSettings();
+  void askForPanels();
   void followUndo();
   int stepsDone() const;
   void follow(const Change& change);

@@ -4,9 +4,13 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QResizeEvent>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QtMath>
+#include <algorithm>
 
 #include "ui/lesson/formula_view.h"
 #include "ui/lesson/lesson_words.h"
@@ -14,6 +18,20 @@
 #include "ui/plot/step_size_plot.h"
 
 namespace flatland::ui {
+
+namespace {
+
+// How words, equation and plot share the width.
+constexpr int kWordsShare = 5;
+constexpr int kEquationShare = 8;
+constexpr int kPlotShare = 4;
+constexpr double kEquationHeight = 200.0;  ///< formula, both sides and switches
+
+QString wordsOf(const LessonStep& step) {
+  return "**" + QString::fromStdString(step.title) + "**\n\n" + QString::fromStdString(step.text);
+}
+
+}  // namespace
 
 LessonPanel::LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QWidget* parent)
     : QWidget(parent), lesson_(lesson), probe_(probe), display_(display) {
@@ -28,15 +46,15 @@ LessonPanel::LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QW
   words_->setFrameShape(QFrame::NoFrame);
   words_->setOpenLinks(false);
   words_->viewport()->setAutoFillBackground(false);
-  // The strip is as high as the person makes it, not as the words would like.
+  // The strip is as high as wantedHeight() says, or as the person makes it.
   words_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   equation_ = new QWidget(this);
   equation_->setLayout(buildEquation());
   plot_ = new StepSizePlot(this);
   auto* row = new QHBoxLayout;
-  row->addWidget(words_, 5);
-  row->addWidget(equation_, 8);
-  row->addWidget(plot_, 4);
+  row->addWidget(words_, kWordsShare);
+  row->addWidget(equation_, kEquationShare);
+  row->addWidget(plot_, kPlotShare);
   layout->addLayout(row, 1);
   misses_ = new ElidedLabel(this);
   misses_->setObjectName("lesson.misses");
@@ -57,7 +75,7 @@ QToolButton* LessonPanel::addButton(const char* id, const QString& text, const Q
   button->setText(text);
   button->setToolTip(tip);
   button->setAccessibleName(tip);
-  button->setFocusPolicy(Qt::StrongFocus);
+  button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to what is looked at
   return button;
 }
 
@@ -122,6 +140,35 @@ QLayout* LessonPanel::buildEquation() {
   return column;
 }
 
+int LessonPanel::wantedHeight() const {
+  if (!lesson_.isOpen()) return sizeHint().height();
+  const bool withEquation = lesson_.equation().has_value();
+  const QMargins margins = layout()->contentsMargins();
+  int room = width() - margins.left() - margins.right();
+  if (withEquation) room = room * kWordsShare / (kWordsShare + kEquationShare + kPlotShare);
+  QTextDocument words;
+  words.setDefaultFont(words_->font());
+  words.setTextWidth(room);
+  double highest = withEquation ? kEquationHeight * display_.uiScale() : 0.0;
+  for (const LessonStep& step : lesson_.lesson().steps) {
+    if (step.state.equation.has_value() != withEquation) continue;
+    words.setMarkdown(wordsOf(step));
+    highest = std::max(highest, words.size().height());
+  }
+  const int header = leave_->sizeHint().height() + layout()->spacing();
+  return margins.top() + header + qCeil(highest) + margins.bottom();
+}
+
+void LessonPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (event->oldSize().width() != width()) emit heightWanted();
+}
+
+void LessonPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) emit heightWanted();
+}
+
 void LessonPanel::showStep() {
   const bool open = lesson_.isOpen();
   const auto equation = lesson_.equation();
@@ -134,8 +181,7 @@ void LessonPanel::showStep() {
                         .arg(lesson_.isUndone() ? tr(" · undone: your own scene")
                              : step.stop        ? tr(" · stop")
                                                 : QString()));
-    words_->setMarkdown("**" + QString::fromStdString(step.title) + "**\n\n" +
-                        QString::fromStdString(step.text));
+    words_->setMarkdown(wordsOf(step));
   } else {
     title_->setText(tr("No lesson is open"));
     words_->setMarkdown(tr("The **Lesson** menu has four, and opens your own."));

@@ -23,10 +23,19 @@ class LessonPanel : public QWidget {
   LessonPanel(LessonModel& lesson, Probe& probe, Display& display, QWidget* parent = nullptr);
 
   QSize sizeHint() const override { return {860, 180}; }
-  QSize minimumSizeHint() const override { return {520, 140}; }
+  QSize minimumSizeHint() const override { return {520, 80}; }
+
+  /// What the steps of the lesson need at this width without scrolling: all with an equation alike,
+  /// and all without, so that the picture above keeps its size from step to step.
+  int wantedHeight() const;
 
  signals:
+  void heightWanted();  ///< the strip has another width or type
   void chooseLesson();  ///< no lesson is open and the person asks for one
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   QLayout* buildHeader();

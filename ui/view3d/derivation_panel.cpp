@@ -25,6 +25,13 @@ QString list(const Eigen::VectorXd& v) {
   for (const double x : v) parts << numberForPeople(x);
   return parts.join("&nbsp; ");
 }
+/// The ground of the equation that a lesson speaks of.
+QString markedGround(const QPalette& palette) {
+  constexpr double kShare = 0.25;  // little enough for the text to be read on it
+  const QColor a = palette.color(QPalette::Base), b = palette.color(QPalette::Highlight);
+  const auto mix = [](int x, int y) { return qRound((1.0 - kShare) * x + kShare * y); };
+  return QColor(mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())).name();
+}
 QString matrix(const Eigen::Matrix2d& m) {
   return "(" + list(m.row(0).transpose()) + "; " + list(m.row(1).transpose()) + ")";
 }
@@ -93,6 +100,7 @@ DerivationPanel::DerivationPanel(SurfaceStudy& study, QWidget* parent)
   label->setBuddy(vertex_);
   printed_->setObjectName("derivation.printed");
   printed_->setToolTip(tr("The equations that the thesis misprints, as it prints them"));
+  printed_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the surface
   connect(printed_, &QCheckBox::toggled, this, &DerivationPanel::refresh);
   text_->setObjectName("derivation.text");
   text_->setAccessibleName(tr("Matrices and equations"));
@@ -122,7 +130,7 @@ void DerivationPanel::showEvent(QShowEvent* event) {
 
 void DerivationPanel::showEquation(const QString& id) {
   printed_->setChecked(false);
-  wanted_ = id;
+  wanted_ = marked_ = id;
   refresh();
 }
 
@@ -191,8 +199,11 @@ QString DerivationPanel::steps(const SurfacePlace& place) const {
     const bool known = reading.answer != StepAnswer::Evaluated || !printed || reading.printed;
     const QString id = QString::fromUtf8(text.id.data(), static_cast<qsizetype>(text.id.size()));
     const QString name = id.front().isDigit() ? "(" + id + ") " : QString();
-    html += QStringLiteral("<p><a name='%1'></a><b>%2%3</b>%4</p>")
-                .arg(id, name, titleForPeople(step), printed ? tr(", as printed") : QString());
+    const QString ground =
+        id == marked_ ? " style='background-color:" + markedGround(palette()) + "'" : QString();
+    html +=
+        QStringLiteral("<p%5><a name='%1'></a><b>%2%3</b>%4</p>")
+            .arg(id, name, titleForPeople(step), printed ? tr(", as printed") : QString(), ground);
     html += known ? valuesForPeople(text, reading, printed)
                   : tr("There are no principal directions here.");
   }

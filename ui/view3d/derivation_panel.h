@@ -21,9 +21,9 @@ class DerivationPanel : public QWidget {
 
   QSize sizeHint() const override { return {360, 320}; }
 
-  /// Keeps an equation in sight by its id ("4.7"), as soon as there are numbers and until somebody
-  /// scrolls, and as it should be, whatever was looked at as printed before. Empty: stays where it
-  /// is.
+  /// Marks an equation by its id ("4.7") and keeps it in sight, as soon as there are numbers and
+  /// until somebody scrolls, and as it should be, whatever was looked at as printed before. Empty:
+  /// stays where it is.
   void showEquation(const QString& id);
 
  protected:
@@ -41,6 +41,7 @@ class DerivationPanel : public QWidget {
   QCheckBox* printed_;
   QTextBrowser* text_;
   QString wanted_;  ///< the equation to be seen, until somebody scrolls
+  QString marked_;  ///< the equation of the step
 };
 
 /// "View-dependent curvature" in the person's language.

@@ -80,7 +80,9 @@ bool SurfaceInput::eventFilter(QObject*, QEvent* event) {
       const auto& pressed = static_cast<const QKeyEvent&>(*event);
       const bool takesBack = pressed.key() == Qt::Key_Escape &&
                              (drag_ != Drag::None || isSpinning() || models_.pick.hit());
-      if (!isSurfaceKey(pressed) && !takesBack) return false;
+      // Home goes to the first step where there is a lesson.
+      const bool isOurs = isSurfaceKey(pressed) && pressed.key() != Qt::Key_Home;
+      if (!isOurs && !takesBack) return false;
       event->accept();
       return true;
     }

@@ -124,7 +124,7 @@ QToolButton* TrianglePanel::stageButton(TriangleStage stage, const QString& text
   button->setAccessibleName(tip);
   button->setCheckable(true);
   button->setChecked(view_->isShown(stage));
-  button->setFocusPolicy(Qt::StrongFocus);
+  button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the surface
   connect(button, &QToolButton::toggled, this,
           [this, stage](bool on) { view_->setShown(stage, on); });
   return button;

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window while a lesson about a surface is given: what is seen, what keys do, and that
+// everything is afterwards as it was.
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollBar>
+#include <QSpinBox>
+#include <QTextBrowser>
+#include <QToolButton>
+
+#include "tests/ui/support_window.h"
+#include "ui/app/layouts.h"
+#include "ui/app/surface_controller.h"
+#include "ui/model/orbit.h"
+#include "ui/view3d/surface_area.h"
+
+using namespace flatland;
+using namespace flatland::ui;
+
+class LessonWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    driver_ = std::make_unique<WindowDriver>();
+    QVERIFY(driver_->ready());
+    d().window().resize(1280, 800);
+    d().settle();
+  }
+  void cleanup() { driver_.reset(); }
+
+  void theProjectorShowsThePanelOfTheStep() {
+    startLesson("surface");
+    for (int i = 0; i < lesson().count(); ++i) {
+      lesson().goTo(i);
+      QVERIFY(d().surfaceQuiet());
+      const std::string panel = lesson().step().state.panel;
+      QVERIFY2(seen(panel.c_str()) && seen("lesson"), panel.c_str());
+      d().trigger("view.layout.projector");
+      d().settle();
+      QVERIFY2(seen(panel.c_str()) && seen("lesson"), panel.c_str());
+      // And a step later, or back in the window.
+      if (i % 2 == 0) continue;
+      d().trigger("view.layout.projector");
+      d().settle();
+      QVERIFY2(seen(panel.c_str()) && seen("lesson"), panel.c_str());
+    }
+    // No other panel of a step is left.
+    QCOMPARE(openPanels(), QStringList({"lesson", "triangle"}));
+  }
+
+  void thereIsRoomForWhatIsTaught() {
+    startLesson("surface");
+    const auto& words = d().child<QTextBrowser>("lesson.words");
+    int least = 10000, most = 0;
+    for (int i = 0; i < lesson().count(); ++i) {
+      lesson().goTo(i);
+      QVERIFY(d().surfaceQuiet());
+      QCOMPARE(words.verticalScrollBar()->maximum(), 0);
+      const QWidget& view = *d().window().surfaceArea().canvas();
+      least = qMin(least, view.height());
+      most = qMax(most, view.height());
+      QVERIFY2(view.height() >= 600, qPrintable(QString::number(view.height())));
+      QVERIFY2(view.width() >= 700, qPrintable(QString::number(view.width())));
+      QVERIFY(!d().canvas().isVisible());
+    }
+    QCOMPARE(least, most);  // the picture stands still from step to step
+    // Who wants the curves, has them.
+    d().trigger("view.flat-beside");
+    QVERIFY(d().canvas().isVisible());
+    lesson().goTo(2);
+    d().settle();
+    QVERIFY(d().canvas().isVisible());
+  }
+
+  void keysReachTheSurfaceFromStripAndPanels() {
+    startLesson("surface");
+    lesson().goTo(3);
+    QVERIFY(d().surfaceQuiet());
+    const std::uint32_t vertex = pick().vertex();
+    auto& printed = d().child<QCheckBox>("derivation.printed");
+    QTest::mouseClick(&printed, Qt::LeftButton, {}, {8, printed.height() / 2});
+    QVERIFY(printed.isChecked());
+    pressed(Qt::Key_PageDown);  // a step on, as the lesson says
+    QCOMPARE(lesson().index(), 4);
+    QVERIFY(d().surfaceQuiet());
+    pressed(Qt::Key_5);
+    QVERIFY(camera().perspectiveDeg.has_value());
+    pressed(Qt::Key_5);
+    QVERIFY(!camera().perspectiveDeg);
+    // From wherever the focus may be, but where a number is typed.
+    for (const char* id :
+         {"lesson.next", "lesson.words", "derivation.text", "derivation.printed"}) {
+      d().child<QWidget>(id).setFocus();
+      pressed(Qt::Key_5);
+      QVERIFY2(camera().perspectiveDeg.has_value(), id);
+      pressed(Qt::Key_5);
+      pressed(Qt::Key_3);
+      const Eigen::Vector3d right = camera().towards;
+      pressed(Qt::Key_1);
+      QVERIFY2((camera().towards - right).norm() > 1.0, id);
+      if (qobject_cast<QTextBrowser*>(&d().child<QWidget>(id))) {
+        const Eigen::Vector3d before = camera().towards;
+        pressed(Qt::Key_Left);
+        QVERIFY2((camera().towards - before).norm() > 0.01, id);
+      }
+    }
+    auto& number = d().child<QSpinBox>("derivation.vertex");
+    number.setFocus();
+    pressed(Qt::Key_5);
+    QVERIFY(!camera().perspectiveDeg);
+    QCOMPARE(pick().vertex(), vertex);
+    // Home is the first step, as its tip says, also for who looks at the surface.
+    d().window().surfaceArea().canvas()->setFocus();
+    pressed(Qt::Key_Home);
+    QCOMPARE(lesson().index(), 0);
+  }
+
+  void theArrangementComesBack() {
+    d().window().surfaces().openSolid("torus:20");
+    QVERIFY(d().surfaceQuiet());
+    auto& docks = d().window().docks();
+    docks.hide("bridge");
+    docks.show("section");
+    docks.show("sweep");
+    d().settle();
+    const QStringList panels = openPanels();
+    const bool front = seen("section");
+    const Scene scene = d().scene();
+    const int wide = d().canvas().width();
+    for (const bool onTheWall : {false, true}) {
+      d().trigger("lesson.shipped.surface");
+      QVERIFY(d().surfaceQuiet());
+      QCOMPARE(openPanels(), QStringList({"lesson", "surface-derivation"}));
+      lesson().goTo(6);
+      QVERIFY(d().surfaceQuiet());
+      docks.show("families");
+      if (onTheWall) d().trigger("view.layout.projector");
+      d().settle();
+      QTest::mouseClick(&d().child<QToolButton>("lesson.leave"), Qt::LeftButton);
+      QVERIFY(d().surfaceQuiet());
+      if (onTheWall) d().trigger("view.layout.projector");
+      d().settle();
+      QCOMPARE(openPanels(), panels);
+      QCOMPARE(seen("section"), front);
+      QVERIFY(d().scene() == scene);
+      QVERIFY(d().canvas().isVisible());
+      QVERIFY(qAbs(d().canvas().width() - wide) <= 2);
+    }
+    // Closed in the middle of a lesson, the next session has the person's own as well.
+    d().trigger("lesson.shipped.surface");
+    QVERIFY(d().surfaceQuiet());
+    d().window().layouts().save(d().settings());
+    lesson().leave();
+    d().settle();
+    docks.hide("section");
+    d().window().layouts().restore(d().settings());
+    d().settle();
+    QCOMPARE(openPanels(), panels);
+  }
+
+ private:
+  WindowDriver& d() { return *driver_; }
+  LessonModel& lesson() { return d().window().lesson(); }
+  SurfacePick& pick() { return d().window().surfaceModels().pick; }
+  const SurfaceCamera& camera() { return d().scene().surface->camera; }
+  void startLesson(const char* name) {
+    d().trigger((std::string("lesson.shipped.") + name).c_str());
+    QVERIFY(lesson().isOpen());
+    QVERIFY(d().surfaceQuiet());
+  }
+  /// Not closed, and not behind another.
+  bool seen(const char* dock) {
+    const auto& widget = d().child<QDockWidget>(dock);
+    return widget.isVisible() && !widget.visibleRegion().isEmpty();
+  }
+  QStringList openPanels() {
+    QStringList open;
+    for (const QDockWidget* dock : d().window().findChildren<QDockWidget*>()) {
+      if (!dock->isHidden()) open << dock->objectName();
+    }
+    open.sort();
+    return open;
+  }
+  /// Where the focus is, shortcuts included.
+  void pressed(Qt::Key key) {
+    d().window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&d().window()));
+    QVERIFY(QApplication::focusWidget());
+    QTest::keyClick(QApplication::focusWidget(), key);
+    d().settle();
+  }
+
+  std::unique_ptr<WindowDriver> driver_;
+};
+
+QTEST_MAIN(LessonWindowTest)
+#include "lesson_window_test.moc"
