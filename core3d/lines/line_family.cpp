@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core3d/lines/line_family.h"
 
+#include <iterator>
+
+#include "flatland/scene/surface_names.h"
+
 namespace flatland {
-namespace {
 
-constexpr std::array<std::string_view, kLineFamilyCount> kNames = {
-    "exterior-silhouette",
-    "contours",
-    "suggestive-contours",
-    "suggestive-highlights",
-    "apparent-ridges",
-    "principal-highlights",
-    "isophotes",
-    "ridges",
-    "valleys",
-    "parabolic",
-    "zero-mean-curvature",
-    "creases",
-    "boundaries",
-    "self-intersections",
-    "topographic",
-};
-
-}  // namespace
+static_assert(std::size(kLineFamilyNames) == kLineFamilyCount);
 
 std::array<LineFamily, kLineFamilyCount> allLineFamilies() {
   std::array<LineFamily, kLineFamilyCount> all{};
@@ -30,7 +15,9 @@ std::array<LineFamily, kLineFamilyCount> allLineFamilies() {
   return all;
 }
 
-std::string_view nameOf(LineFamily family) { return kNames[static_cast<std::size_t>(family)]; }
+std::string_view nameOf(LineFamily family) {
+  return kLineFamilyNames[static_cast<std::size_t>(family)];
+}
 
 std::optional<LineFamily> lineFamilyNamed(std::string_view name) {
   for (const LineFamily family : allLineFamilies()) {

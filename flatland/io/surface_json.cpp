@@ -11,6 +11,7 @@
 #include "flatland/io/input_error.h"
 #include "flatland/io/json_text.h"
 #include "flatland/io/number_text.h"
+#include "flatland/scene/surface_names.h"
 #include "flatland/view/perspective.h"
 
 namespace flatland {
@@ -69,6 +70,18 @@ SurfaceCamera cameraFrom(const JsonNode& node) {
   return camera;
 }
 
+/// One of the words of flatland/scene/surface_names.h, or of kUpAxes.
+template <class Words>
+std::string oneOf(const JsonNode& node, const Words& known) {
+  const std::string word = node.text();
+  if (std::find(std::begin(known), std::end(known), word) != std::end(known)) return word;
+  std::string all;
+  for (std::size_t i = 0; i < std::size(known); ++i) {
+    all += (i == 0 ? "" : ", ") + std::string(known[i]);
+  }
+  node.fail("expected one of " + all + "; found " + word);
+}
+
 bool isColour(const std::string& text) {
   return text.size() == 7 && text[0] == '#' &&
          std::all_of(text.begin() + 1, text.end(),
@@ -78,7 +91,7 @@ bool isColour(const std::string& text) {
 SurfaceFamily familyFrom(const JsonNode& node) {
   node.allowKeys({"name", "on", "threshold", "colour", "widthPx", "fade"});
   SurfaceFamily family;
-  family.name = node.at("name").text();
+  family.name = oneOf(node.at("name"), kLineFamilyNames);
   if (const auto on = node.find("on")) family.on = on->boolean();
   if (const auto threshold = node.find("threshold")) {
     family.threshold = threshold->length();
@@ -102,10 +115,14 @@ SurfacePane paneFrom(const JsonNode& node) {
   if (families && !families->value().is_null()) {
     const std::size_t count = families->listSize("a list of names");
     pane.families.emplace();
-    for (std::size_t i = 0; i < count; ++i) pane.families->push_back(families->at(i).text());
+    for (std::size_t i = 0; i < count; ++i) {
+      pane.families->push_back(oneOf(families->at(i), kLineFamilyNames));
+    }
   }
-  if (const auto derivative = node.find("derivative")) pane.derivative = derivative->text();
-  if (const auto shows = node.find("shows")) pane.shows = shows->text();
+  if (const auto derivative = node.find("derivative")) {
+    pane.derivative = oneOf(*derivative, kDerivativeNames);
+  }
+  if (const auto shows = node.find("shows")) pane.shows = oneOf(*shows, kPaneShowsNames);
   const auto camera = node.find("camera");
   if (camera && !camera->value().is_null()) pane.camera = cameraFrom(*camera);
   return pane;
@@ -114,17 +131,13 @@ SurfacePane paneFrom(const JsonNode& node) {
 SweptSetting sweptFrom(const JsonNode& node) {
   node.allowKeys({"kind", "curve", "amount", "cells"});
   SweptSetting swept;
-  swept.kind = node.at("kind").text();
-  const bool extrusion = swept.kind == "extrusion";
-  if (!extrusion && swept.kind != "revolution") {
-    node.at("kind").fail("expected extrusion or revolution");
-  }
+  swept.kind = oneOf(node.at("kind"), kSweptKindNames);
   if (const auto curve = node.find("curve")) {
     if (curve->wholeNumber() < 0) curve->fail("expected the index of a curve, from 0");
     swept.curve = static_cast<std::size_t>(curve->wholeNumber());
   }
   const JsonNode amount = node.at("amount");
-  swept.amount = extrusion ? positive(amount) : amount.length();
+  swept.amount = swept.kind == kSweptKindNames[0] ? positive(amount) : amount.length();
   if (const auto cells = node.find("cells")) {
     swept.cells = cells->wholeNumber();
     if (swept.cells < kFewestSweptCells || swept.cells > kMostSweptCells) {
@@ -248,19 +261,16 @@ SurfaceSetting surfaceFrom(const JsonNode& node) {
       surface.families.push_back(std::move(family));
     }
   }
-  if (const auto style = node.find("style")) surface.style = style->text();
-  if (const auto quantity = node.find("quantity")) surface.quantity = quantity->text();
-  if (const auto hidden = node.find("hidden")) surface.hidden = hidden->text();
+  if (const auto style = node.find("style")) surface.style = oneOf(*style, kSurfaceStyleNames);
+  if (const auto quantity = node.find("quantity")) {
+    surface.quantity = oneOf(*quantity, kSurfaceQuantityNames);
+  }
+  if (const auto hidden = node.find("hidden")) surface.hidden = oneOf(*hidden, kHiddenLineNames);
   if (const auto unfiltered = node.find("unfiltered")) surface.unfiltered = unfiltered->boolean();
   if (const auto count = node.find("isophotes")) surface.isophotes = levels(*count);
   if (const auto count = node.find("heights")) surface.heights = levels(*count);
   if (const auto scale = node.find("fitScale")) surface.fitScale = positive(*scale, 1.0);
-  if (const auto axis = node.find("upAxis")) {
-    surface.upAxis = axis->text();
-    if (std::find(std::begin(kUpAxes), std::end(kUpAxes), surface.upAxis) == std::end(kUpAxes)) {
-      axis->fail("expected x, -x, y, -y, z or -z, found " + surface.upAxis);
-    }
-  }
+  if (const auto axis = node.find("upAxis")) surface.upAxis = oneOf(*axis, kUpAxes);
   if (const auto panes = node.find("panes")) {
     const std::size_t count = panes->listSize("a list of views");
     if (count > kMostPanes) panes->fail("more than " + std::to_string(kMostPanes) + " views");

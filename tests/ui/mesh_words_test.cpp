@@ -8,6 +8,7 @@
 
 #include "core3d/io/read_mesh.h"
 #include "core3d/mesh/mesh_report.h"
+#include "flatland/io/scene_json.h"
 #include "ui/app/language.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/core_words.h"
@@ -60,6 +61,40 @@ class MeshWordsTest : public QObject {
       QVERIFY2(german != english && !isEnglish(german), qPrintable(english + " -> " + german));
     }
     QVERIFY(count > 80);
+  }
+
+  void refusedSurfacesOfScenesAreToldInGerman() {
+    const char* const broken[] = {
+        R"("mesh": "")",
+        R"("camera": {"zoom": 0})",
+        R"("camera": {"towards": [0, 0, 0]})",
+        R"("camera": {"towards": [0, 2, 0]})",
+        R"("camera": {"towards": [1, 2]})",
+        R"("camera": {"perspectiveDeg": 0})",
+        R"("families": [{"name": "ridge"}])",
+        R"("families": [{"name": "ridges"}, {"name": "ridges"}])",
+        R"("families": [{"name": "ridges", "threshold": -1}])",
+        R"("families": [{"name": "ridges", "colour": "red"}])",
+        R"("isophotes": 0)",
+        R"("ink": 2)",
+        R"("panes": [{}, {}, {}, {}])",
+        R"("swept": {"kind": "extrusion", "amount": 1})",
+        R"("swept": {"kind": "extrusion", "amount": 1, "curve": -1})",
+        R"("swept": {"kind": "extrusion", "amount": 1, "cells": 2})",
+        R"("fitScale": 0.5)",
+    };
+    for (const std::string part : broken) {
+      const std::string mesh = part.find("mesh") == 1 ? "" : R"("mesh": "solid:torus", )";
+      try {
+        sceneFromJson(R"({"flatland": 4, "curves": [], "surface": {)" + mesh + part + "}}", "");
+        QFAIL(part.c_str());
+      } catch (const InputError& error) {
+        const QString german = errorForPeople(error);
+        const QString reason = german.mid(german.lastIndexOf(": ") + 2);
+        QVERIFY2(!isEnglish(reason) && reason != QString::fromStdString(error.reason()),
+                 qPrintable(german));
+      }
+    }
   }
 
   void whatIsMendedIsGerman() {

@@ -59,15 +59,21 @@ void waitForWork(MainWindow& window) {
   QElapsedTimer timer;
   timer.start();
   constexpr int kQuietMs = 150;
+  // What work that ended during a long pass has posted is handled in the next: a pass that alone
+  // is nearly as long as the quiet says nothing of it.
+  constexpr int kLongPassMs = kQuietMs / 2;
   QElapsedTimer quiet;
   quiet.start();
   const SurfaceModels surface = window.surfaceModels();
   // Painting a large surface without OpenGL takes its time too.
   const int patienceMs = window.document().scene().surface ? kSurfaceTimeoutMs : kPaintTimeoutMs;
   while (quiet.elapsed() < kQuietMs && timer.elapsed() < patienceMs) {
+    QElapsedTimer pass;
+    pass.start();
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
     const bool onSurface = surface.source.isStale() || surface.views.isStale();
-    if (onSurface || QThreadPool::globalInstance()->activeThreadCount() > 0) quiet.restart();
+    const bool works = onSurface || QThreadPool::globalInstance()->activeThreadCount() > 0;
+    if (works || pass.elapsed() > kLongPassMs) quiet.restart();
   }
 }
 

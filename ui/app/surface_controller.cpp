@@ -76,14 +76,6 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
     if (settings_) settings_->setValue(kFolderKey, QFileInfo(reference).absolutePath());
   });
   connect(&models_.source, &SurfaceSource::changed, this, &SurfaceController::askWhetherItLies);
-  // A scene may have come from a newer program, or from a hand.
-  connect(&models_.document, &Document::changed, this, [this](const Change& change) {
-    const auto& setting = models_.document.scene().surface;
-    if (change.what != Change::What::Scene || !setting) return;
-    const std::string unknown = unknownNames(*setting);
-    if (unknown.empty()) return;
-    messages_.showError(tr("Unknown here and left out: %1").arg(QString::fromStdString(unknown)));
-  });
 }
 
 void SurfaceController::askWhetherItLies() {

@@ -4,25 +4,24 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
+#include "flatland/scene/surface_names.h"
 #include "ui/export/line_style.h"
 
 namespace flatland::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, kSurfaceStyleCount> kStyles = {
-    "paper", "flat", "lambert", "toon", "gooch", "normals", "colours"};
-constexpr std::array<std::string_view, kSurfaceQuantityCount> kQuantities = {
-    "k1", "k2", "lambda", "feature", "offset", "offset-share"};
-constexpr std::array<std::string_view, kHiddenLinesCount> kHidden = {"off", "dashed", "shown"};
+static_assert(std::size(kSurfaceStyleNames) == kSurfaceStyleCount);
+static_assert(std::size(kSurfaceQuantityNames) == kSurfaceQuantityCount);
+static_assert(std::size(kHiddenLineNames) == kHiddenLinesCount);
 
 template <std::size_t N>
-std::optional<std::size_t> indexOf(const std::array<std::string_view, N>& names,
-                                   const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - names.begin());
+std::optional<std::size_t> indexOf(const std::string_view (&names)[N], const std::string& name) {
+  const auto found = std::find(std::begin(names), std::end(names), name);
+  if (found == std::end(names)) return std::nullopt;
+  return static_cast<std::size_t>(found - std::begin(names));
 }
 
 bool isOnByDefault(LineFamily family) {
@@ -32,38 +31,29 @@ bool isOnByDefault(LineFamily family) {
 
 }  // namespace
 
-std::string_view nameOf(SurfaceStyle style) { return kStyles[static_cast<std::size_t>(style)]; }
-std::string_view nameOf(SurfaceQuantity quantity) {
-  return kQuantities[static_cast<std::size_t>(quantity)];
+std::string_view nameOf(SurfaceStyle style) {
+  return kSurfaceStyleNames[static_cast<std::size_t>(style)];
 }
-std::string_view nameOf(HiddenLines hidden) { return kHidden[static_cast<std::size_t>(hidden)]; }
+std::string_view nameOf(SurfaceQuantity quantity) {
+  return kSurfaceQuantityNames[static_cast<std::size_t>(quantity)];
+}
+std::string_view nameOf(HiddenLines hidden) {
+  return kHiddenLineNames[static_cast<std::size_t>(hidden)];
+}
 
 SurfaceStyle styleOf(const SurfaceSetting& setting) {
   const auto usual = static_cast<std::size_t>(SurfaceStyle::Lambert);
-  return static_cast<SurfaceStyle>(indexOf(kStyles, setting.style).value_or(usual));
+  return static_cast<SurfaceStyle>(indexOf(kSurfaceStyleNames, setting.style).value_or(usual));
 }
 
 SurfaceQuantity quantityOf(const SurfaceSetting& setting) {
   const auto usual = static_cast<std::size_t>(SurfaceQuantity::Lambda);
-  return static_cast<SurfaceQuantity>(indexOf(kQuantities, setting.quantity).value_or(usual));
+  return static_cast<SurfaceQuantity>(
+      indexOf(kSurfaceQuantityNames, setting.quantity).value_or(usual));
 }
 
 HiddenLines hiddenOf(const SurfaceSetting& setting) {
-  return static_cast<HiddenLines>(indexOf(kHidden, setting.hidden).value_or(0));
-}
-
-std::string unknownNames(const SurfaceSetting& setting) {
-  std::string names;
-  const auto add = [&names](const std::string& name) {
-    names += (names.empty() ? "" : ", ") + name;
-  };
-  if (!indexOf(kStyles, setting.style)) add("style " + setting.style);
-  if (!indexOf(kQuantities, setting.quantity)) add("quantity " + setting.quantity);
-  if (!indexOf(kHidden, setting.hidden)) add("hidden " + setting.hidden);
-  for (const SurfaceFamily& family : setting.families) {
-    if (!lineFamilyNamed(family.name)) add("family " + family.name);
-  }
-  return names;
+  return static_cast<HiddenLines>(indexOf(kHiddenLineNames, setting.hidden).value_or(0));
 }
 
 SurfaceFamily usualFamily(LineFamily family) {

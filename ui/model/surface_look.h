@@ -35,9 +35,6 @@ SurfaceStyle styleOf(const SurfaceSetting& setting);
 SurfaceQuantity quantityOf(const SurfaceSetting& setting);
 HiddenLines hiddenOf(const SurfaceSetting& setting);
 
-/// Names of the setting that mean nothing here, in a sentence; empty if there are none.
-std::string unknownNames(const SurfaceSetting& setting);
-
 /// How a family is drawn: as the setting says, or as usual where it says nothing. Both have a
 /// threshold.
 SurfaceFamily familyOf(const SurfaceSetting& setting, LineFamily family);

@@ -2164,6 +2164,86 @@
         <source>a silhouette is within 4 edges, or n.w is below 0.05: lambda grows without bound there</source>
         <translation>eine Silhouette ist näher als 4 Kanten, oder n.w ist unter 0,05: Lambda wächst dort über alle Grenzen</translation>
     </message>
+    <message>
+        <source>expected one of %1; found %2</source>
+        <translation>eines von %1 erwartet; %2 gefunden</translation>
+    </message>
+    <message>
+        <source>expected three numbers</source>
+        <translation>drei Zahlen erwartet</translation>
+    </message>
+    <message>
+        <source>expected a number above 0, found %1</source>
+        <translation>eine Zahl über 0 erwartet, %1 gefunden</translation>
+    </message>
+    <message>
+        <source>expected a number of at least %1, found %2</source>
+        <translation>eine Zahl ab %1 erwartet, %2 gefunden</translation>
+    </message>
+    <message>
+        <source>expected a direction, found %1</source>
+        <translation>eine Richtung erwartet, %1 gefunden</translation>
+    </message>
+    <message>
+        <source>expected an angle from %1 to %2 degrees, found %3</source>
+        <translation>ein Winkel von %1 bis %2 Grad erwartet, %3 gefunden</translation>
+    </message>
+    <message>
+        <source>expected a threshold of 0 or above</source>
+        <translation>eine Schwelle ab 0 erwartet</translation>
+    </message>
+    <message>
+        <source>expected a colour like %1, or none</source>
+        <translation>eine Farbe wie %1 oder keine erwartet</translation>
+    </message>
+    <message>
+        <source>expected the index of a curve, from 0</source>
+        <translation>die Nummer einer Kurve ab 0 erwartet</translation>
+    </message>
+    <message>
+        <source>expected %1 to %2 cells</source>
+        <translation>%1 bis %2 Zellen erwartet</translation>
+    </message>
+    <message>
+        <source>expected 1 to %1 levels</source>
+        <translation>1 bis %1 Stufen erwartet</translation>
+    </message>
+    <message>
+        <source>expected a file or solid:NAME</source>
+        <translation>eine Datei oder solid:NAME erwartet</translation>
+    </message>
+    <message>
+        <source>expected a share of at most 1</source>
+        <translation>ein Anteil bis 1 erwartet</translation>
+    </message>
+    <message>
+        <source>&quot;up&quot; lies along &quot;towards&quot;</source>
+        <translation>&quot;up&quot; liegt längs &quot;towards&quot;</translation>
+    </message>
+    <message>
+        <source>there is one of this name already</source>
+        <translation>diesen Namen gibt es schon</translation>
+    </message>
+    <message>
+        <source>more than %1 entries</source>
+        <translation>mehr als %1 Einträge</translation>
+    </message>
+    <message>
+        <source>more than %1 views</source>
+        <translation>mehr als %1 Ansichten</translation>
+    </message>
+    <message>
+        <source>&quot;mesh&quot;: &quot;swept:&quot; and &quot;swept&quot; belong together</source>
+        <translation>&quot;mesh&quot;: &quot;swept:&quot; und &quot;swept&quot; gehören zusammen</translation>
+    </message>
+    <message>
+        <source>came with version 3; write &quot;flatland&quot;: 3</source>
+        <translation>kam mit Version 3; dafür &quot;flatland&quot;: 3 schreiben</translation>
+    </message>
+    <message>
+        <source>panes, ink, swept and plane came with version 4; write &quot;flatland&quot;: 4</source>
+        <translation>panes, ink, swept und plane kamen mit Version 4; dafür &quot;flatland&quot;: 4 schreiben</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
@@ -6275,10 +6355,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
 </context>
 <context>
     <name>flatland::ui::SurfaceController</name>
-    <message>
-        <source>Unknown here and left out: %1</source>
-        <translation>Hier unbekannt und weggelassen: %1</translation>
-    </message>
     <message>
         <source>Open mesh</source>
         <translation>Netz öffnen</translation>
