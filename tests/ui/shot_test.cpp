@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the window that `flatland shot` takes: everything that was to be drawn is there.
 #include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,10 +23,13 @@ class ShotTest : public QObject {
     const QString scene = folder.filePath("scene.json"), picture = folder.filePath("window.png");
     QFile file(scene);
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(R"({"flatland": 4, "curves": [], "surface": {"mesh": ")" + mesh.toUtf8() + R"(",
-      "families": [{"name": "apparent-ridges", "on": false},
-                   {"name": "contours", "colour": "#ff00ff", "widthPx": 3}],
-      "plane": {"point": [0, 0, 0], "normal": [0.3, 0.1, 1]}}})");
+    const QJsonObject ridges{{"name", "apparent-ridges"}, {"on", false}};
+    const QJsonObject contours{{"name", "contours"}, {"colour", "#ff00ff"}, {"widthPx", 3}};
+    const QJsonObject plane{{"point", QJsonArray{0, 0, 0}}, {"normal", QJsonArray{0.3, 0.1, 1}}};
+    const QJsonObject surface{
+        {"mesh", mesh}, {"families", QJsonArray{ridges, contours}}, {"plane", plane}};
+    const QJsonObject whole{{"flatland", 4}, {"curves", QJsonArray()}, {"surface", surface}};
+    file.write(QJsonDocument(whole).toJson());
     file.close();
     QProcess program;
     program.start(FLATLAND_PROGRAM, {"shot", scene, "-o", picture});
