@@ -9,6 +9,7 @@
 #include "ui/app/file_controller.h"
 #include "ui/app/surface_controller.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/view3d/surface_area.h"
 
 using namespace flatland;
 using namespace flatland::ui;
@@ -30,6 +31,38 @@ class SurfaceReadingTest : public QObject {
     QVERIFY(driver_->ready());
   }
   void cleanup() { driver_.reset(); }
+
+  /// Where no surface is shown yet the window says so above the curves.
+  void readingTheFirstMeshIsSaid() {
+    auto& row = driver_->child<QWidget>("reading.progress");
+    QVERIFY(!row.isVisible());
+    driver_->window().surfaces().openSolid(kLarge);
+    QVERIFY(source().isReading());
+    QVERIFY(row.isVisible());
+    QCOMPARE(row.findChild<QLabel*>()->text(), QStringLiteral("Reading the mesh"));
+    QVERIFY(!driver_->window().surfaceArea().isVisible());
+    press("reading.cancel");
+    QVERIFY(!source().isBusy());
+    QVERIFY(!row.isVisible());
+    driver_->settle();
+    QVERIFY(!driver_->scene().surface);
+    // Once it is there its own panel says what goes on.
+    openUntilEstimating(kLarge);
+    QVERIFY(!row.isVisible());
+    QVERIFY(driver_->child<QWidget>("surface.progress").isVisible());
+    driver_->window().surfaces().openSolid(kSmall);
+    QVERIFY(source().isReading());
+    QVERIFY(!row.isVisible());
+    QVERIFY(driver_->surfaceQuiet());
+  }
+
+  void aMeshThatFailsLeavesNoRow() {
+    auto& row = driver_->child<QWidget>("reading.progress");
+    driver_->window().files().openFile(driver_->path("none.ply"));
+    QVERIFY(row.isVisible());
+    QTRY_VERIFY(!row.isVisible());
+    QVERIFY(driver_->child<QLabel>("message.text").text().contains("none.ply"));
+  }
 
   void whatWasGivenUpGoesOn() {
     openUntilEstimating(kLarge);

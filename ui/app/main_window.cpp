@@ -37,6 +37,7 @@
 #include "ui/view3d/derivation_panel.h"
 #include "ui/view3d/section_panel.h"
 #include "ui/view3d/surface_area.h"
+#include "ui/view3d/surface_progress.h"
 #include "ui/view3d/triangle_panel.h"
 
 namespace flatland::ui {
@@ -126,6 +127,7 @@ void MainWindow::buildCentre() {
   layout->setContentsMargins({});
   layout->setSpacing(0);
   messages_ = new MessageBar(centre);
+  reading_ = new SurfaceProgress(surfaceModels(), SurfaceProgress::Says::Reading, centre);
   centre_ = new QSplitter(Qt::Horizontal, centre);
   centre_->setChildrenCollapsible(false);
   surfaceArea_ = new SurfaceArea(surfaceModels(), centre_);
@@ -135,6 +137,7 @@ void MainWindow::buildCentre() {
   centre_->setStretchFactor(1, 1);
   surfaceArea_->hide();
   layout->addWidget(messages_);
+  layout->addWidget(reading_);
   layout->addWidget(centre_, 1);
   setCentralWidget(centre);
 }
@@ -202,6 +205,7 @@ void MainWindow::showCentre() {
   const bool appears = surface && surfaceArea_->isHidden();
   layouts_->setSurfaceThere(surface);
   if (appears && !surfaceArea_->isHidden()) shareCentre();
+  reading_->setWanted(surfaceArea_->isHidden());  // else it says so itself
   const bool unwanted =
       document_.scene().curves.empty() || (surface && !layouts_->showsFlatBeside());
   canvas_->setHidden(!surfaceArea_->isHidden() && unwanted);

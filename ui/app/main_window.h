@@ -27,6 +27,7 @@ class Look;
 class MessageBar;
 class StatusLine;
 class SurfaceArea;
+class SurfaceProgress;
 class SurfaceController;
 
 /// The window: puts models, canvas, panels, menus and status line together and does nothing else.
@@ -104,6 +105,7 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_ = nullptr;
   QSplitter* centre_ = nullptr;
   SurfaceArea* surfaceArea_ = nullptr;
+  SurfaceProgress* reading_ = nullptr;  ///< of a mesh, while no surface is shown
   SurfaceController* surfaces_ = nullptr;
   BridgeController* bridgeController_ = nullptr;
   FlatCanvas* canvas_ = nullptr;

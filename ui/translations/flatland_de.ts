@@ -6301,56 +6301,8 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
 <context>
     <name>flatland::ui::SurfaceArea</name>
     <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Give up reading; what was there before stays</source>
-        <translation>Nicht weiter lesen; was vorher da war, bleibt</translation>
-    </message>
-    <message>
-        <source>Reading the mesh</source>
-        <translation>Das Netz wird gelesen</translation>
-    </message>
-    <message>
-        <source>Estimating curvature</source>
-        <translation>Die Krümmung wird geschätzt</translation>
-    </message>
-    <message>
         <source>No surface yet. Open a mesh (PLY, OBJ, STL, OFF, glTF) by Surface &gt; Open Mesh, drop one here, or take one of Surface &gt; Solids.</source>
         <translation>Noch keine Fläche. Öffne ein Netz (PLY, OBJ, STL, OFF, glTF) mit Fläche &gt; Netz öffnen, lass eines hierher fallen oder nimm eines von Fläche &gt; Körper.</translation>
-    </message>
-    <message>
-        <source>Go On</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Begin again what was given up</source>
-        <translation>Von neuem beginnen, was abgebrochen wurde</translation>
-    </message>
-    <message>
-        <source>The mesh was not read</source>
-        <translation>Das Netz wurde nicht gelesen</translation>
-    </message>
-    <message>
-        <source>No lines: curvature was not estimated</source>
-        <translation>Keine Linien: Die Krümmung wurde nicht geschätzt</translation>
-    </message>
-    <message>
-        <source>A coarse mesh: the fine one was not made</source>
-        <translation>Ein grobes Netz: Das feine wurde nicht gemacht</translation>
-    </message>
-    <message>
-        <source>The lines are those of the smoothness before</source>
-        <translation>Die Linien sind die der vorigen Glättung</translation>
-    </message>
-    <message>
-        <source>Give up estimating; lines that were there before stay, a new mesh has none. Go On begins again.</source>
-        <translation>Das Schätzen abbrechen; Linien, die schon da waren, bleiben, ein neues Netz hat keine. „Weiter“ beginnt von neuem.</translation>
     </message>
 </context>
 <context>
@@ -6659,6 +6611,57 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
             <numerusform>%Ln Dreieck</numerusform>
             <numerusform>%Ln Dreiecke</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::SurfaceProgress</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Begin again what was given up</source>
+        <translation>Von neuem beginnen, was abgebrochen wurde</translation>
+    </message>
+    <message>
+        <source>The mesh was not read</source>
+        <translation>Das Netz wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>No lines: curvature was not estimated</source>
+        <translation>Keine Linien: Die Krümmung wurde nicht geschätzt</translation>
+    </message>
+    <message>
+        <source>A coarse mesh: the fine one was not made</source>
+        <translation>Ein grobes Netz: Das feine wurde nicht gemacht</translation>
+    </message>
+    <message>
+        <source>The lines are those of the smoothness before</source>
+        <translation>Die Linien sind die der vorigen Glättung</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>Das Netz wird gelesen</translation>
+    </message>
+    <message>
+        <source>Estimating curvature</source>
+        <translation>Die Krümmung wird geschätzt</translation>
+    </message>
+    <message>
+        <source>Give up reading; what was there before stays</source>
+        <translation>Nicht weiter lesen; was vorher da war, bleibt</translation>
+    </message>
+    <message>
+        <source>Give up estimating; lines that were there before stay, a new mesh has none. Go On begins again.</source>
+        <translation>Das Schätzen abbrechen; Linien, die schon da waren, bleiben, ein neues Netz hat keine. „Weiter“ beginnt von neuem.</translation>
     </message>
 </context>
 <context>

@@ -8,9 +8,7 @@
 
 class QGridLayout;
 class QLabel;
-class QProgressBar;
 class QStackedWidget;
-class QToolButton;
 
 namespace flatland::ui {
 
@@ -49,22 +47,14 @@ class SurfaceArea : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  QWidget* makeProgress();
   void makePanes();
   void addPane();
   void spinOnly(const PaneWidget& pane, bool spins);
   void showState();
-  QString whatIsWanting() const;
-  void setBar(int maximum, int value);
 
   SurfaceModels models_;
   QStackedWidget* pages_;
   QLabel* empty_;
-  QWidget* progress_;
-  QLabel* doing_ = nullptr;
-  QProgressBar* bar_ = nullptr;
-  QToolButton* cancel_ = nullptr;
-  QToolButton* goOn_ = nullptr;
   QWidget* views_;
   ColourStrip* colours_;
   QGridLayout* grid_;
