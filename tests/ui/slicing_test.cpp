@@ -21,6 +21,7 @@
 #include "ui/model/orbit.h"
 #include "ui/model/surface_look.h"
 #include "ui/model/surface_panes.h"
+#include "ui/view3d/plane_marks.h"
 
 using namespace flatland;
 using namespace flatland::ui;
@@ -68,10 +69,9 @@ class SlicingTest : public QObject, private BridgingWindow {
         lineOptionsOf(paneSetting(*d.scene().surface, 0)).thresholdOf(LineFamily::ApparentRidges);
     const int all = static_cast<int>(section->pairs.size());
     QCOMPARE(table.rowCount(), listed(usual));
-    QVERIFY(table.isVisible());
     // Those below the threshold of the view are counted, not listed.
     auto& weaker = d.child<QLabel>("section.weaker");
-    QCOMPARE(weaker.isVisibleTo(weaker.parentWidget()), listed(usual) < all);
+    QCOMPARE(!weaker.text().isEmpty(), listed(usual) < all);
     const double middle = section->pairs[section->pairs.size() / 2].strength;
     d.child<QDoubleSpinBox>("families.apparent-ridges.threshold").setValue(middle + 0.01);
     QVERIFY(quiet());
@@ -119,6 +119,85 @@ class SlicingTest : public QObject, private BridgingWindow {
     QVERIFY(this->section().isInFlatland());
     QVERIFY(d.window().bridges().link.isOn());
     QVERIFY(before.curves != mine.curves);
+  }
+
+  void nothingMovesInThePanelWhenASectionIsThere() {
+    WindowDriver& d = *driver_;
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+      d.window().resize(size);
+      d.trigger("surface.solid.torus");
+      QVERIFY(quiet());
+      showSection();
+      auto& table = d.child<QTableWidget>("section.pairs");
+      const auto places = [&] {
+        QList<QRect> found;
+        for (const char* name : {"section.along-view", "section.along-ridge", "section.remove",
+                                 "section.azimuth", "section.height", "section.tolerance",
+                                 "section.open", "section.pairs", "section.sentence"}) {
+          auto& part = d.child<QWidget>(name);
+          found << QRect(part.mapTo(&d.window(), QPoint()), part.size());
+        }
+        return found;
+      };
+      const QList<QRect> empty = places();
+      QVERIFY(table.isVisible() && table.rowCount() == 0);
+      // Beside one another, not spread over the height of the panel.
+      QVERIFY(empty[6].top() - empty[5].bottom() < empty[6].height());
+      QVERIFY(!d.child<QLabel>("section.state").text().isEmpty());
+      QTest::mouseClick(&d.child<QPushButton>("section.along-view"), Qt::LeftButton);
+      QVERIFY(quiet());
+      QVERIFY(table.rowCount() > 0);
+      QCOMPARE(places(), empty);
+      QTest::mouseClick(&d.child<QPushButton>("section.remove"), Qt::LeftButton);
+      QVERIFY(quiet());
+      QCOMPARE(places(), empty);
+    }
+  }
+
+  void theRowThatIsSelectedIsRingedInBothPictures() {
+    WindowDriver& d = *driver_;
+    openSectionOfTorus();
+    d.window().docks().show("section");
+    d.settle();
+    const auto& view = section().view();
+    auto& table = d.child<QTableWidget>("section.pairs");
+    auto& flat = d.child<CrossingOverlay>("canvas.crossings");
+    QVERIFY(table.rowCount() > 1);
+    for (const int row : {1, 0}) {
+      QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                        table.visualItemRect(table.item(row, 0)).center());
+      QVERIFY(section().chosen().has_value());
+      const SectionPair& pair = view->pairs.at(*section().chosen());
+      const std::vector<Eigen::Vector2d> spots = chosenSpots(section(), projection());
+      QCOMPARE(spots.size(), std::size_t(pair.ridge.has_value()) + pair.mark.has_value());
+      QCOMPARE(flat.chosen().size(), spots.size());
+      if (!pair.mark) continue;
+      const SectionMark& mark = view->marks.marks[*pair.mark];
+      const TriangleMesh& mesh = *view->surface->mesh;
+      const auto at = projection().toScreen((mark.at - mesh.origin) / mesh.unit);
+      QVERIFY((spots.back() - *at).norm() < 1e-9);
+      QCOMPARE(flat.chosen().back().toPoint(), d.at(mark.mark.point));
+    }
+    // The curve that was asked for has as much room as the surface.
+    QVERIFY(d.canvas().isVisible());
+    QVERIFY(d.canvas().width() > surface().width() * 9 / 10);
+    QTest::mouseClick(&d.child<QPushButton>("section.remove"), Qt::LeftButton);
+    QVERIFY(quiet());
+    QVERIFY(!section().chosen() && flat.chosen().empty());
+  }
+
+  void aSectionIsSeenWhereCurvesWereAway() {
+    WindowDriver& d = *driver_;
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    d.trigger("view.flat-beside");
+    QVERIFY(!d.canvas().isVisible());
+    d.trigger("surface.plane.view");
+    QVERIFY(quiet());
+    d.trigger("surface.plane.open");
+    QVERIFY(quiet());
+    QVERIFY(d.canvas().isVisible() && d.canvas().width() > 100);
+    QVERIFY(d.child<QAction>("view.flat-beside").isChecked());
   }
 
   void undoOfASectionBringsTheCurvesBack() {

@@ -10,8 +10,10 @@ namespace flatland::ui {
 BridgeController::BridgeController(const CanvasModels& models, Docks& docks, SectionPanel& section,
                                    QObject* parent)
     : QObject(parent), models_(models), docks_(docks), section_(section) {
-  connect(&section_, &SectionPanel::curvesOpened, this,
-          [this] { emit said(tr("The section is in flatland; undo brings the curves back.")); });
+  connect(&section_, &SectionPanel::curvesOpened, this, [this] {
+    emit curvesWanted();
+    emit said(tr("The section is in flatland; undo brings the curves back."));
+  });
 }
 
 void BridgeController::sweep(SweptSurface::Kind kind) {

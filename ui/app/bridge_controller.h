@@ -28,6 +28,7 @@ class BridgeController : public QObject {
 
  signals:
   void surfaceWanted();  ///< there is something new to look at on it
+  void curvesWanted();   ///< a section came into flatland
   void said(const QString& text);
 
  private:

@@ -45,7 +45,6 @@ namespace flatland::ui {
 namespace {
 
 constexpr QSize kDefaultSize(1280, 800);
-constexpr int kSurfaceShare = 2;  ///< of the width, to one of the canvas
 
 QString droppedFile(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
@@ -195,9 +194,9 @@ void MainWindow::connectParts() {
   status_->showHint(describe(models(), {}));
 }
 
-void MainWindow::shareCentre() {
+void MainWindow::shareCentre(int surfaceShare) {
   constexpr int kMuch = 10000;  // the splitter makes it fit
-  centre_->setSizes({kSurfaceShare * kMuch, kMuch});
+  centre_->setSizes({surfaceShare * kMuch, kMuch});
 }
 
 void MainWindow::showCentre() {
@@ -230,6 +229,11 @@ void MainWindow::connectSurface() {
   connect(&surfaceSource_, &SurfaceSource::opened, this, showSurface);
   connect(bridgeController_, &BridgeController::surfaceWanted, this, showSurface);
   connect(bridgeController_, &BridgeController::said, status_, &StatusLine::say);
+  // Who opens a section wants to see the curve, and the marks of both beside one another.
+  connect(bridgeController_, &BridgeController::curvesWanted, this, [this] {
+    layouts_->setFlatBeside(true);
+    if (canvas_->width() < surfaceArea_->width()) shareCentre(1);
+  });
   connect(&document_, &Document::changed, this, [this, showSurface](const Change& change) {
     if (change.touchesScene() || change.touchesSurface()) showCentre();
     if (change.what != Change::What::Scene) return;

@@ -77,7 +77,8 @@ class MainWindow : public QMainWindow {
   void buildMenuBar();
   void connectParts();
   void connectSurface();
-  void shareCentre();
+  static constexpr int kSurfaceShare = 2;  ///< of the width, to one of the canvas
+  void shareCentre(int surfaceShare = kSurfaceShare);
   void showCentre();  ///< the surface and the curves, as far as there are any
   CanvasModels models() { return {document_, selection_, viewport_, display_, stage_, probe_}; }
   void setLanguage(const QString& code);

@@ -23,6 +23,7 @@ CrossingOverlay::CrossingOverlay(const Bridges& bridges, const Viewport& viewpor
   };
   show();
   connect(&bridges_.section, &SectionSource::changed, this, show);
+  connect(&bridges_.section, &SectionSource::chosenChanged, this, repaint);
   connect(&viewport_, &Viewport::changed, this, repaint);
   connect(&display_, &Display::changed, this, repaint);
 }
@@ -43,9 +44,19 @@ std::vector<QPointF> CrossingOverlay::crossings() const {
   return places;
 }
 
+std::vector<QPointF> CrossingOverlay::chosen() const {
+  std::vector<QPointF> places;
+  if (!bridges_.section.isInFlatland() || !bridges_.section.chosen()) return places;
+  const SectionView& section = *bridges_.section.view();
+  const SectionPair& pair = section.pairs.at(*bridges_.section.chosen());
+  if (pair.ridge) places.push_back(viewport_.toWidget(section.marks.ridges[*pair.ridge].inPlane));
+  if (pair.mark) places.push_back(viewport_.toWidget(section.marks.marks[*pair.mark].mark.point));
+  return places;
+}
+
 void CrossingOverlay::paintEvent(QPaintEvent*) {
+  if (!bridges_.section.isInFlatland()) return;
   const std::vector<QPointF> places = crossings();
-  if (places.empty()) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const SectionView& section = *bridges_.section.view();
@@ -53,6 +64,7 @@ void CrossingOverlay::paintEvent(QPaintEvent*) {
     paintCrossing(painter, places[i], static_cast<int>(i) + 1, display_.uiScale(),
                   !section.seenRidges[*section.pairs[i].ridge]);
   }
+  for (const QPointF& at : chosen()) paintChosen(painter, at, display_.uiScale());
 }
 
 }  // namespace flatland::ui

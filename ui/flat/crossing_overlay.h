@@ -21,6 +21,8 @@ class CrossingOverlay : public QWidget {
 
   /// Places on the canvas, px, in the order of the numbers; those without a ridge are left out.
   std::vector<QPointF> crossings() const;
+  /// Of the chosen pair: its ridge, its mark, or both.
+  std::vector<QPointF> chosen() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -137,6 +137,12 @@ void SectionSource::setTolerance(double share) {
   update();
 }
 
+void SectionSource::choose(const std::optional<std::size_t>& pair) {
+  if (pair == chosen_) return;
+  chosen_ = pair;
+  emit chosenChanged();
+}
+
 void SectionSource::follow(const Change& change) {
   if (change.touchesSurface()) update();
 }
@@ -147,6 +153,7 @@ void SectionSource::update() {
     job_.cancel();
     if (!view_) return;
     view_.reset();
+    chosen_.reset();
     emit changed();
     return;
   }
@@ -181,6 +188,7 @@ void SectionSource::cutNewest() {
       },
       [this](const Data& view) {
         view_ = view;
+        chosen_.reset();
         emit changed();
       });
 }

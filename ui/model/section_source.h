@@ -67,8 +67,14 @@ class SectionSource : public QObject {
   /// True if the scene's curves are those of the section: marks and ridges can be shown on them.
   bool isInFlatland() const;
 
+  /// The pair that is talked about, ringed in both pictures: an index into view()->pairs. None
+  /// after another cut, whose pairs are others.
+  const std::optional<std::size_t>& chosen() const { return chosen_; }
+  void choose(const std::optional<std::size_t>& pair);
+
  signals:
   void changed();
+  void chosenChanged();
   void failed(const QString& reason);
 
  private:
@@ -81,6 +87,7 @@ class SectionSource : public QObject {
   const SeenSource& seen_;
   LatestJob job_;
   std::shared_ptr<const SectionView> view_;
+  std::optional<std::size_t> chosen_;
   double tolerance_ = 0.0;
 };
 

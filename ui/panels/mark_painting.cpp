@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kCrossPx = 5.0;
 constexpr double kCrossWidthPx = 2.2, kHaloWidthPx = 5.0;
+constexpr double kRingPx = 11.0, kRingWidthPx = 2.4, kRingHaloPx = 5.6;
 constexpr double kNumberPx = 12.0;  ///< of the type in files
 
 Rgb crossingColour(bool hidden, Palette palette) {
@@ -46,6 +47,16 @@ void paintCrossing(QPainter& painter, const QPointF& at, int number, double scal
   letters.addText(at + QPointF(1.6 * r, -1.2 * r), painter.font(), text);
   painter.strokePath(letters, QPen(toQColor(background), 3.0 * scale));
   painter.fillPath(letters, colour);
+}
+
+void paintChosen(QPainter& painter, const QPointF& at, double scale) {
+  const SceneColours colours = sceneColours(themePalette());
+  painter.setBrush(Qt::NoBrush);
+  for (const bool halo : {true, false}) {
+    painter.setPen(QPen(toQColor(halo ? colours.background : colours.text),
+                        (halo ? kRingHaloPx : kRingWidthPx) * scale));
+    painter.drawEllipse(at, kRingPx * scale, kRingPx * scale);
+  }
 }
 
 std::vector<Shape> crossingShapes(const Vec2& at, int number, double scale, bool hidden,

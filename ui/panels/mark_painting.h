@@ -16,7 +16,9 @@ void paintShape(QPainter& painter, const PathShape& shape);
 /// the surface and in flatland.
 void paintCrossing(QPainter& painter, const QPointF& at, int number, double scale, bool hidden,
                    Palette palette = themePalette());
-/// The same for files, without the halo of the number.
+/// A ring about a place that is talked about, in the same two pictures.
+void paintChosen(QPainter& painter, const QPointF& at, double scale);
+/// The crossing for files, without the halo of the number.
 std::vector<Shape> crossingShapes(const Vec2& at, int number, double scale, bool hidden,
                                   Palette palette);
 

@@ -5865,10 +5865,6 @@
         <translation>Grate der Fläche neben denen des Schnitts</translation>
     </message>
     <message>
-        <source>Apparent ridges of the surface that go through the plane, each with the nearest apparent ridge of the section, and the angle between t_A and the plane</source>
-        <translation>Scheinbare Grate der Fläche, die durch die Ebene gehen, jeder mit dem nächsten scheinbaren Grat des Schnitts, und der Winkel zwischen t_A und der Ebene</translation>
-    </message>
-    <message>
         <source>Surface</source>
         <translation>Fläche</translation>
     </message>
@@ -6010,6 +6006,14 @@
             <numerusform>%n schwächere als die Schwelle der Ansicht weggelassen</numerusform>
             <numerusform>%n schwächere als die Schwelle der Ansicht weggelassen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Apparent ridges of the surface that go through the plane, each with the nearest apparent ridge of the section, and the angle between t_A and the plane. The row that is selected is ringed in both pictures</source>
+        <translation>Scheinbare Grate der Fläche, die durch die Ebene gehen, jeder mit dem nächsten scheinbaren Grat des Schnitts und dem Winkel zwischen t_A und der Ebene. Die gewählte Zeile ist in beiden Bildern umringt</translation>
+    </message>
+    <message>
+        <source>No plane yet. A button above puts one through the surface; its round handles turn it, the square moves it.</source>
+        <translation>Noch keine Ebene. Ein Knopf oben legt eine durch die Fläche; die runden Griffe drehen sie, das Quadrat verschiebt sie.</translation>
     </message>
 </context>
 <context>

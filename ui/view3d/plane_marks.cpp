@@ -110,6 +110,22 @@ std::vector<SectionSpot> sectionSpots(const SectionView& section, const std::vec
   return spots;
 }
 
+std::vector<Eigen::Vector2d> chosenSpots(const SectionSource& source,
+                                         const Projection& projection) {
+  std::vector<Eigen::Vector2d> spots;
+  if (!source.view() || !source.chosen()) return spots;
+  const SectionView& section = *source.view();
+  const TriangleMesh& mesh = *section.surface->mesh;
+  const SectionPair& pair = section.pairs.at(*source.chosen());
+  const auto add = [&](const Eigen::Vector3d& inFile) {
+    if (const auto at = projection.toScreen((inFile - mesh.origin) / mesh.unit))
+      spots.push_back(*at);
+  };
+  if (pair.ridge) add(section.marks.ridges[*pair.ridge].at);
+  if (pair.mark) add(section.marks.marks[*pair.mark].at);
+  return spots;
+}
+
 void paintPlane(QPainter& painter, const SurfaceModels& models, const Projection& projection) {
   const auto& setting = models.document.scene().surface;
   if (!setting || !setting->plane || !models.source.surface()) return;
@@ -125,6 +141,9 @@ void paintPlane(QPainter& painter, const SurfaceModels& models, const Projection
       } else {
         paintShape(painter, spot.symbol);
       }
+    }
+    for (const Eigen::Vector2d& at : chosenSpots(models.bridges.section, projection)) {
+      paintChosen(painter, pointOf(at), scale);
     }
   }
   paintHandles(painter, models, *setting->plane, projection);

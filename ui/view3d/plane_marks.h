@@ -27,6 +27,9 @@ std::vector<SectionSpot> sectionSpots(const SectionView& section, const std::vec
 std::vector<bool> seenSpots(const SectionView& section);
 std::vector<bool> seenSpots(const SectionView& section, const SurfaceView& view);
 
+/// Where the chosen pair is in the picture, px: on the surface, on its section, or both.
+std::vector<Eigen::Vector2d> chosenSpots(const SectionSource& source, const Projection& projection);
+
 /// Paints the handles of the cutting plane over the picture of the surface, the marks of the
 /// section, and with numbers where apparent ridges of the surface go through the plane. Hidden
 /// marks are paler.

@@ -2,6 +2,7 @@
 #include "ui/view3d/section_panel.h"
 
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -24,6 +25,12 @@ namespace flatland::ui {
 namespace {
 
 constexpr double kPerMille = 1e-3;
+constexpr int kStateLines = 2, kSentenceLines = 3;  ///< in a panel of the usual width
+constexpr int kTableHeight = 120;
+
+void setLines(QLabel& label, int lines) {
+  label.setMinimumHeight(lines * label.fontMetrics().lineSpacing());
+}
 
 /// Of a pair: the crossing by its number in the pictures, the mark, their distance, the angle.
 QStringList cellsOf(const SectionView& section, std::size_t index) {
@@ -71,6 +78,7 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   }
   layout->addWidget(state_);
   table_ = new QTableWidget(0, 4, this);
@@ -78,7 +86,8 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
   table_->setAccessibleName(tr("Ridges of the surface beside those of the section"));
   table_->setToolTip(
       tr("Apparent ridges of the surface that go through the plane, each with the nearest apparent "
-         "ridge of the section, and the angle between t_A and the plane"));
+         "ridge of the section, and the angle between t_A and the plane. The row that is selected "
+         "is ringed in both pictures"));
   table_->setHorizontalHeaderLabels(
       {tr("Surface"), tr("Section"), tr("Apart"), tr("t_A off plane")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -88,11 +97,12 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
-  table_->setMinimumHeight(120);
+  table_->setMinimumHeight(kTableHeight);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SectionPanel::showSentence);
   layout->addWidget(table_, 1);
   layout->addWidget(weaker_);
   layout->addWidget(sentence_);
+  reserveLines();
   setFocusProxy(alongView_);
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (change.touchesSurface()) showPlane();
@@ -254,8 +264,12 @@ void SectionPanel::showSection() {
   open_->setToolTip(why.isEmpty() ? tip : why);
   QStringList lines = section ? sectionWords(*section) : QStringList();
   if (section && !why.isEmpty() && !lines.contains(why)) lines << why;
+  if (!section && models_.document.scene().surface) {
+    lines << tr(
+        "No plane yet. A button above puts one through the surface; its round handles turn "
+        "it, the square moves it.");
+  }
   state_->setText(lines.join('\n'));
-  state_->setVisible(!lines.isEmpty());
   showTable();
 }
 
@@ -285,9 +299,8 @@ void SectionPanel::showTable() {
     }
     table_->selectRow(row >= 0 && row < count ? row : 0);
   }
-  table_->setVisible(count > 0);
-  weaker_->setText(tr("%n weaker than the view's threshold left out", nullptr, weaker));
-  weaker_->setVisible(weaker > 0);
+  weaker_->setText(weaker > 0 ? tr("%n weaker than the view's threshold left out", nullptr, weaker)
+                              : QString());
   showSentence();
 }
 
@@ -295,9 +308,21 @@ void SectionPanel::showSentence() {
   const auto& section = models_.bridges.section.view();
   const int row = table_->currentRow();
   const bool there = section && row >= 0 && row < static_cast<int>(rows_.size());
-  sentence_->setText(there ? pairWords(section->pairs[rows_[static_cast<std::size_t>(row)]])
-                           : QString());
-  sentence_->setVisible(there);
+  std::optional<std::size_t> pair;
+  if (there) pair = rows_[static_cast<std::size_t>(row)];
+  sentence_->setText(pair ? pairWords(section->pairs[*pair]) : QString());
+  models_.bridges.section.choose(pair);
+}
+
+void SectionPanel::reserveLines() {
+  setLines(*state_, kStateLines);
+  setLines(*weaker_, 1);
+  setLines(*sentence_, kSentenceLines);
+}
+
+void SectionPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::FontChange) reserveLines();
+  QWidget::changeEvent(event);
 }
 
 }  // namespace flatland::ui

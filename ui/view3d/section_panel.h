@@ -30,6 +30,9 @@ class SectionPanel : public QWidget {
   void removePlane();
   void openAsCurve();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  signals:
   /// For the status line.
   void said(const QString& text);
@@ -44,6 +47,8 @@ class SectionPanel : public QWidget {
   void showSection();
   void showTable();
   void showSentence();
+  /// Room for what may come, so that nothing moves when it does.
+  void reserveLines();
   /// Below what the view asks of apparent ridges, which scans have many of.
   bool isWeak(const SectionPair& pair) const;
   void setPlane(const std::optional<SurfacePlane>& plane, const QString& text);

@@ -68,6 +68,7 @@ SurfaceOverlay::SurfaceOverlay(const SurfaceModels& models, QWidget* parent)
   connect(&models_.views.ink(), &InkSource::changed, this, repaint);
   connect(&models_.bridges.source, &BridgeSource::changed, this, repaint);
   connect(&models_.bridges.section, &SectionSource::changed, this, repaint);
+  connect(&models_.bridges.section, &SectionSource::chosenChanged, this, repaint);
   connect(&models_.bridges.grip, &PlaneGrip::changed, this, repaint);
 }
 
