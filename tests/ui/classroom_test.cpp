@@ -437,7 +437,7 @@ class ClassroomTest : public QObject {
       // So do the lessons.
       driver.trigger("lesson.shipped.silhouette");
       QCOMPARE(driver.child<QAction>("lesson.shipped.silhouette").text(),
-               "Was ist eine Silhouette in Flatland");
+               "Was ist eine Silhouette in Flatland (Arbeit, Abschnitt 3.1)");
       QCOMPARE(QString::fromStdString(driver.window().lesson().step().title),
                "Eine Welt mit zwei Dimensionen");
       driver.window().lesson().leave();

@@ -69,7 +69,7 @@ class LessonTest : public QObject {
         QVERIFY2(reading && reading->corrected, qPrintable(QString::number(i)));
         QVERIFY(reading->corrected->residual < 1e-12);
         auto& values = d.child<QLabel>("lesson.values");
-        QVERIFY(values.text().contains("residual"));
+        QVERIFY(values.text().contains("left − right"));
         d.settle();
         QVERIFY2(values.sizeHint().height() < 5 * values.fontMetrics().lineSpacing(),
                  lesson.step().title.c_str());  // nothing wraps out of the strip
@@ -141,7 +141,7 @@ class LessonTest : public QObject {
     const Scene scene = d.scene();
     d.canvasKey(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(lesson.index(), last - 1);
-    QVERIFY(d.child<QLabel>("lesson.title").text().contains(QString("step %1 of").arg(last)));
+    QVERIFY(d.child<QLabel>("lesson.title").text().contains(QString("Step %1 of").arg(last)));
     d.trigger("edit.redo");
     QCOMPARE(lesson.index(), last);
     QVERIFY(d.scene() == scene);
@@ -325,7 +325,7 @@ class LessonTest : public QObject {
     d.settle();
     QVERIFY(lesson.isPrinted());
     QVERIFY(d.window().display().showsPrintedRoots());
-    QVERIFY(d.child<QLabel>("lesson.values").text().contains("apart"));
+    QVERIFY(d.child<QLabel>("lesson.values").text().contains("% of"));
     const QImage with = d.canvas().grab().toImage();
     d.window().display().setShowsPrintedRoots(false);
     QVERIFY2(d.canvas().grab().toImage() != with, "hollow roots on the canvas");

@@ -50,6 +50,13 @@ class LessonWindowTest : public QObject {
     QCOMPARE(openPanels(), QStringList({"lesson", "triangle"}));
   }
 
+  void theMenuSaysWhatALessonCovers() {
+    for (const char* id : {"silhouette", "apparent-ridge", "offset", "surface"}) {
+      const QString text = d().child<QAction>((std::string("lesson.shipped.") + id).c_str()).text();
+      QVERIFY2(text.contains("(thesis, "), qPrintable(text));
+    }
+  }
+
   void thereIsRoomForWhatIsTaught() {
     startLesson("surface");
     const auto& words = d().child<QTextBrowser>("lesson.words");
@@ -64,6 +71,8 @@ class LessonWindowTest : public QObject {
       QVERIFY2(view.height() >= 600, qPrintable(QString::number(view.height())));
       QVERIFY2(view.width() >= 700, qPrintable(QString::number(view.width())));
       QVERIFY(!d().canvas().isVisible());
+      const auto& matrices = d().child<QTextBrowser>("derivation.text");
+      if (matrices.isVisible()) QCOMPARE(matrices.horizontalScrollBar()->maximum(), 0);
     }
     QCOMPARE(least, most);  // the picture stands still from step to step
     // Who wants the curves, has them.
@@ -115,6 +124,69 @@ class LessonWindowTest : public QObject {
     d().window().surfaceArea().canvas()->setFocus();
     pressed(Qt::Key_Home);
     QCOMPARE(lesson().index(), 0);
+  }
+
+  // A student takes the two sides that are shown, and finds the difference and the share shown.
+  void theNumbersAreThoseOfTheDigitsShown() {
+    startLesson("surface");
+    const auto& text = d().child<QTextBrowser>("derivation.text");
+    auto& printed = d().child<QCheckBox>("derivation.printed");
+    int parted = 0, agreeing = 0;
+    for (const std::uint32_t vertex : {6357u, 100u, 2500u}) {
+      pick().pickVertex(vertex);
+      for (const bool asPrinted : {false, true}) {
+        printed.setChecked(asPrinted);
+        d().settle();
+        const std::vector<Sides> all = sidesIn(text.toPlainText());
+        QCOMPARE(all.size(), std::size_t{20});
+        for (const Sides& sides : all) {
+          const auto what = qPrintable(sides.name + " " + sides.rest);
+          double most = 0.0, reach = 0.0;
+          for (qsizetype i = 0; i < sides.left.size(); ++i) {
+            most = qMax(most, qAbs(sides.left[i] - sides.right[i]));
+            reach = qMax(reach, qAbs(sides.left[i]) + qAbs(sides.right[i]));
+          }
+          if (sides.rest.contains("rounding")) {
+            ++agreeing;
+            QVERIFY2(most <= 1e-5 * reach + 1e-9, what);
+            continue;
+          }
+          ++parted;
+          QVERIFY2(qAbs(qAbs(sides.difference) - most) <= 6e-4 * most, what);
+          if (sides.left.size() == 1) {
+            QVERIFY2(sides.difference * (sides.left[0] - sides.right[0]) > 0.0, what);
+          }
+          const double percent = sides.rest.section("% of", 0, 0).section(": ", 1).toDouble();
+          QVERIFY2(qAbs(percent - 100.0 * most / reach) < 0.06, what);
+        }
+      }
+    }
+    QCOMPARE(agreeing, 3 * (20 + 17));
+    QCOMPARE(parted, 9);
+  }
+
+  void nothingPickedIsSaid() {
+    d().window().surfaces().openSolid("torus:20");
+    QVERIFY(d().surfaceQuiet());
+    for (const auto& [dock, id] :
+         {std::pair{"surface-derivation", "derivation.vertex"}, {"triangle", "triangle.number"}}) {
+      d().window().docks().show(dock);
+      d().settle();
+      const auto& number = d().child<QSpinBox>(id);
+      QCOMPARE(number.text(), "none");
+      pick().pickVertex(17);
+      d().settle();
+      QVERIFY(number.text().toInt() > 0);
+      pick().pick(std::nullopt);
+      d().settle();
+      QCOMPARE(number.text(), "none");
+    }
+    auto& number = d().child<QSpinBox>("triangle.number");
+    number.setFocus();
+    pressed(Qt::Key_Up);
+    QCOMPARE(pick().hit()->triangle, 0u);
+    pressed(Qt::Key_Down);
+    QVERIFY(!pick().hit());
   }
 
   void theArrangementComesBack() {
@@ -182,6 +254,31 @@ class LessonWindowTest : public QObject {
     }
     open.sort();
     return open;
+  }
+  struct Sides {
+    QString name, rest;  ///< the label of the left side; what stands after the difference
+    QList<double> left, right;
+    double difference = 0.0;
+  };
+  /// The equations of the panel, as somebody reads them: a cell a line.
+  static std::vector<Sides> sidesIn(QString text) {
+    text.replace(QChar(0x2212), '-').replace(QChar(0xa0), ' ');
+    const auto numbers = [](QString cell) {
+      QList<double> values;
+      const QStringList words =
+          cell.remove('=').remove('(').remove(')').replace(';', ' ').split(' ', Qt::SkipEmptyParts);
+      for (const QString& word : words) values << word.toDouble();
+      return values;
+    };
+    std::vector<Sides> all;
+    const QStringList lines = text.split('\n');
+    for (qsizetype i = 4; i + 1 < lines.size(); ++i) {
+      if (!lines[i].contains("left - right|") && !lines[i].contains("left - right ")) continue;
+      const QString rest = lines[i + 1].mid(2);
+      all.push_back({lines[i - 4].trimmed(), rest, numbers(lines[i - 3]), numbers(lines[i - 1]),
+                     rest.section(':', 0, 0).toDouble()});
+    }
+    return all;
   }
   /// Where the focus is, shortcuts included.
   void pressed(Qt::Key key) {

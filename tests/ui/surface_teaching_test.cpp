@@ -44,7 +44,7 @@ class SurfaceTeachingTest : public QObject {
     QVERIFY(pick().hit());
     QVERIFY2(text.toPlainText().contains("(4.3) View-dependent curvature"),
              qPrintable(text.toPlainText()));
-    QVERIFY(!text.toPlainText().contains("apart"));
+    QVERIFY(!text.toPlainText().contains("% of"));
     QVERIFY(!text.toPlainText().contains("nan"));
     QVERIFY(text.toPlainText().contains("both sides agree"));
     QCOMPARE(d().child<QSpinBox>("derivation.vertex").value(), static_cast<int>(pick().vertex()));
@@ -56,7 +56,7 @@ class SurfaceTeachingTest : public QObject {
     auto& printed = d().child<QCheckBox>("derivation.printed");
     QTest::mouseClick(&printed, Qt::LeftButton, {}, {8, printed.height() / 2});
     QVERIFY(text.toPlainText().contains(", as printed"));
-    QVERIFY(text.toPlainText().contains("apart"));
+    QVERIFY(text.toPlainText().contains("% of"));
     // Another vertex by its number.
     auto& vertex = d().child<QSpinBox>("derivation.vertex");
     vertex.setFocus();

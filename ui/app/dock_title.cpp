@@ -39,6 +39,8 @@ QToolButton* DockTitle::addButton(const char* id, QStyle::StandardPixmap icon, c
   return button;
 }
 
+void DockTitle::setText(const QString& text) { text_->setText(text); }
+
 void DockTitle::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fit();
   QWidget::changeEvent(event);

@@ -18,6 +18,8 @@ class DockTitle : public QWidget {
  public:
   explicit DockTitle(QDockWidget& dock);
 
+  void setText(const QString& text);
+
  protected:
   void changeEvent(QEvent* event) override;
 

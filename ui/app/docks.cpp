@@ -10,7 +10,9 @@ namespace flatland::ui {
 namespace {
 
 constexpr int kSideWidth = 400;
-constexpr int kLargestShare = 3;  ///< of the window, to the column at the right: one in so many
+constexpr double kLargestShare = 1.0 / 3.0;  ///< of the window, to the column at the right
+constexpr int kEquationsWidth = 480;         ///< both sides of most equations in a line
+constexpr double kEquationsShare = 0.4;
 constexpr int kBottomHeight = 190;
 constexpr int kSeparatorHeight = 6;  ///< below a dock
 constexpr int kTabsHeight = 30;
@@ -113,7 +115,9 @@ void Docks::arrangeOnly(const QStringList& ids) {
   }
   if (column.isEmpty()) return;
   window_.resizeDocks(column, heights, Qt::Vertical);
-  const int wide = qMin(qRound(kSideWidth * scale_), window_.width() / kLargestShare);
+  const int least = equations_ ? kEquationsWidth : kSideWidth;
+  const double share = equations_ ? kEquationsShare : kLargestShare;
+  const int wide = qMin(qRound(least * scale_), qRound(window_.width() * share));
   window_.resizeDocks({column.front()}, {qMax(kSideWidth, wide)}, Qt::Horizontal);
 }
 
@@ -138,6 +142,14 @@ void Docks::showWithHeight(const char* id, int height) {
     if (dock->objectName() != QLatin1String(id) || dock->isFloating()) continue;
     const int row = height + dock->titleBarWidget()->sizeHint().height();
     window_.resizeDocks({dock}, {qMin(row, window_.height() * 9 / 20)}, Qt::Vertical);
+  }
+}
+
+void Docks::setHeading(const char* id, const QString& heading) {
+  for (QDockWidget* dock : all_) {
+    if (dock->objectName() != QLatin1String(id)) continue;
+    static_cast<DockTitle*>(dock->titleBarWidget())
+        ->setText(heading.isEmpty() ? dock->windowTitle() : heading);
   }
 }
 

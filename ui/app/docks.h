@@ -44,6 +44,9 @@ class Docks {
   /// the window, when it is arranged.
   void setScale(double scale) { scale_ = scale; }
 
+  /// Whether that column has the equations of a lesson: it is wider, and up to two fifths.
+  void setEquations(bool there) { equations_ = there; }
+
   /// Opens the panel and brings it to the front. One below the column at the right gets as much of
   /// it as it needs, but no more than half.
   void show(const char* id);
@@ -53,6 +56,10 @@ class Docks {
 
   void hide(const char* id);
 
+  /// What stands above the panel, for as long as it has more to say than its name; empty: its name.
+  /// Menus keep the name.
+  void setHeading(const char* id, const QString& heading);
+
  private:
   QList<QDockWidget*> inGroup(Group group) const;
   void makeRoom(QDockWidget& dock);
@@ -61,6 +68,7 @@ class Docks {
   QList<QDockWidget*> all_;
   QList<Group> groups_;  ///< of all_
   double scale_ = 1.0;
+  bool equations_ = false;
 };
 
 }  // namespace flatland::ui

@@ -122,7 +122,10 @@ void Layouts::endLesson() {
 }
 
 void Layouts::setLessonPanel(const QString& id) {
+  // The column at the right has its width from the first panel in it.
+  const bool isFirst = lessonOpened_.isEmpty() && !id.isEmpty() && current_ != Kind::Work;
   lessonPanel_ = id;
+  if (own_ && isFirst) arrange();
   showLessonPanel();
 }
 
@@ -156,6 +159,7 @@ void Layouts::setFlatBeside(bool shows) {
 
 void Layouts::arrange() {
   docks_.setScale(display_.uiScale());
+  docks_.setEquations(own_ && current_ != Kind::Work);
   if (own_ && current_ != Kind::Work) return arrangeForLesson();
   switch (current_) {
     case Kind::Work:

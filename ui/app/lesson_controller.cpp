@@ -80,6 +80,7 @@ void LessonController::showStep() {
 
 void LessonController::showStrip() {
   if (!given_ || !lesson_.isOpen()) return;
+  docks_.setHeading("lesson", tr("Lesson: %1").arg(QString::fromStdString(lesson_.lesson().title)));
   const int height = strip_.wantedHeight();
   if (height == stripHeight_) return;
   stripHeight_ = height;
@@ -98,6 +99,7 @@ void LessonController::giveFocus() {
 
 void LessonController::end() {
   if (!std::exchange(given_, false)) return;
+  docks_.setHeading("lesson", {});
   layouts_.endLesson();
   centre_.restoreState(shares_);
   QMetaObject::invokeMethod(this, &LessonController::giveFocus, Qt::QueuedConnection);

@@ -111,7 +111,8 @@ QLayout* LessonPanel::buildEquation() {
   values_ = new QLabel(this);
   values_->setObjectName("lesson.values");
   values_->setAccessibleName(tr("Values"));
-  values_->setToolTip(tr("The values of both sides at the probe"));
+  values_->setToolTip(
+      tr("The values of both sides at the probe, and their difference from the digits shown"));
   values_->setTextFormat(Qt::RichText);
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(values_);
@@ -174,8 +175,7 @@ void LessonPanel::showStep() {
   const auto equation = lesson_.equation();
   if (open) {
     const LessonStep& step = lesson_.step();
-    title_->setText(tr("<b>%1</b> · step %2 of %3%4")
-                        .arg(QString::fromStdString(lesson_.lesson().title).toHtmlEscaped())
+    title_->setText(tr("<b>Step %1 of %2</b>%3")
                         .arg(lesson_.index() + 1)
                         .arg(lesson_.count())
                         .arg(lesson_.isUndone() ? tr(" · undone: your own scene")

@@ -15,7 +15,7 @@ namespace flatland::ui {
 class FormulaView;
 class StepSizePlot;
 
-/// The lesson strip: words, formula, both sides at the probe, residual, step-size sweep.
+/// The lesson strip: words, formula, both sides at the probe, their difference, step-size sweep.
 class LessonPanel : public QWidget {
   Q_OBJECT
 

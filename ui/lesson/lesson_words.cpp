@@ -3,6 +3,9 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace flatland::ui {
 
@@ -22,17 +25,74 @@ QString plain(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toHtmlEscaped();
 }
 
-QString valueText(const StepValue& value) {
+/// A side as it is shown, and what the shown digits say: who calculates with them must find the
+/// difference that stands below.
+struct ShownValue {
+  QString text;
+  std::vector<double> entries;
+};
+
+/// `noise`: entries below it are rounding, and have no digits to show.
+ShownValue shownValue(const StepValue& value, double noise) {
+  ShownValue shown;
   QStringList rows;
   for (int r = 0; r < value.rows; ++r) {
     QStringList row;
     for (int c = 0; c < value.columns; ++c) {
-      row << numberForPeople(value.entries[static_cast<std::size_t>(r * value.columns + c)],
-                             value.columns > 1 ? kMatrixDigits : kDigits);
+      const double entry = value.entries[static_cast<std::size_t>(r * value.columns + c)];
+      const int digits = std::abs(entry) < noise ? 1 : value.columns > 1 ? kMatrixDigits : kDigits;
+      shown.entries.push_back(QString::number(entry, 'g', digits).toDouble());
+      row << numberForPeople(entry, digits);
     }
     rows << row.join("&nbsp;&nbsp;");
   }
-  return rows.size() == 1 ? rows.front() : "(" + rows.join("; ") + ")";
+  shown.text = rows.size() == 1 ? rows.front() : "(" + rows.join("; ") + ")";
+  return shown;
+}
+
+struct ShownSides {
+  ShownValue left, right;
+  double size = 0.0;        ///< of the products both sides are sums of; 0 where unknown
+  double exact = 0.0;       ///< left - right; of several entries the largest |left - right|
+  double difference = 0.0;  ///< the same from the shown digits
+  double reach = 0.0;       ///< the largest |left| + |right| of them
+};
+
+ShownSides shownSides(const StepSides& sides) {
+  ShownSides shown;
+  const bool isNumber = sides.left.count() == 1;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(sides.left.count()); ++i) {
+    const double apart = sides.left.entries[i] - sides.right.entries[i];
+    shown.exact = isNumber ? apart : std::max(shown.exact, std::abs(apart));
+  }
+  if (sides.residual > 0.0) shown.size = std::abs(shown.exact) / sides.residual;
+  shown.left = shownValue(sides.left, kAgreement * shown.size);
+  shown.right = shownValue(sides.right, kAgreement * shown.size);
+  for (std::size_t i = 0; i < shown.left.entries.size(); ++i) {
+    const double left = shown.left.entries[i], right = shown.right.entries[i];
+    shown.difference = isNumber ? left - right : std::max(shown.difference, std::abs(left - right));
+    shown.reach = std::max(shown.reach, std::abs(left) + std::abs(right));
+  }
+  return shown;
+}
+
+QString differenceText(const StepSides& sides, const ShownSides& shown) {
+  if (sides.residual < kAgreement) {
+    return Words::tr("%1: rounding, both sides agree").arg(numberForPeople(shown.exact, 1));
+  }
+  // Where digits that are not shown make the difference, the exact one.
+  const bool isSeen = shown.difference != 0.0;
+  const double share = isSeen ? std::abs(shown.difference) / shown.reach : sides.apart;
+  const QString percent = QString::number(100.0 * share, isSeen ? 'f' : 'g', 1);
+  const bool isNumber = sides.left.count() == 1;
+  const QString number = numberForPeople(isSeen ? shown.difference : shown.exact,
+                                         isNumber ? kDigits : kMatrixDigits + 1);
+  QString sum = Words::tr("|left| + |right|");
+  constexpr QChar kWordJoiner(0x2060);
+  sum.replace('|', kWordJoiner + QStringLiteral("|") + kWordJoiner).replace(' ', QChar(0xa0));
+  return (isNumber ? Words::tr("%1: <b>%2 % of %3</b>")
+                   : Words::tr("%1: <b>%2 % of the largest %3</b>"))
+      .arg(number, percent, sum);
 }
 
 QString whyNot(StepAnswer answer) {
@@ -102,19 +162,17 @@ QString valuesForPeople(const DerivationStepText& text, const std::optional<Step
   if (!reading) return Words::tr("Point at the curve to see the values there.");
   const auto& sides = printed ? reading->printed : reading->corrected;
   if (!sides) return whyNot(reading->answer);
-  const QString left = plain(printed ? text.printedLeft : text.left);
-  const QString right = plain(printed ? text.printedRight : text.right);
-  const bool agree = sides->residual < kAgreement;
-  const QString verdict = agree
-                              ? Words::tr("both sides agree")
-                              : Words::tr("<b>%1 % apart</b>").arg(100.0 * sides->apart, 0, 'f', 1);
-  return QStringLiteral(
-             "<table cellspacing='0' style='white-space: "
-             "nowrap'><tr><td>%1&nbsp;</td><td>=&nbsp;%2</td></tr>"
-             "<tr><td>%3&nbsp;</td><td>=&nbsp;%4</td></tr>"
-             "<tr><td>%5&nbsp;</td><td>%6</td></tr></table>")
-      .arg(left, valueText(sides->left), right, valueText(sides->right),
-           Words::tr("residual %1").arg(QString::number(sides->residual, 'e', 1)), verdict);
+  const ShownSides shown = shownSides(*sides);
+  const auto row = [](const QString& name, const QString& value) {
+    return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>=&nbsp;%2</td></tr>").arg(name, value);
+  };
+  return "<table cellspacing='0'>" +
+         row(plain(printed ? text.printedLeft : text.left), shown.left.text) +
+         row(plain(printed ? text.printedRight : text.right), shown.right.text) +
+         row(sides->left.count() == 1 ? Words::tr("left − right")
+                                      : Words::tr("largest |left − right|"),
+             differenceText(*sides, shown)) +
+         "</table>";
 }
 
 }  // namespace flatland::ui

@@ -12,8 +12,10 @@ namespace flatland::ui {
 /// A number of so many digits, with a true minus sign and a point: as formulas have it.
 QString numberForPeople(double value, int digits = 4);
 
-/// Both sides, how far they are apart and the residual, as rich text of three lines; or why there
-/// are none.
+/// Both sides and their difference, as rich text of three rows; or why there are none. The
+/// difference is that of the digits shown, with its share of |left| + |right|: 100 % where one side
+/// is the other with the wrong sign. Where it is below 1e-12 of the products both are sums of, it
+/// is rounding, told as the exact one.
 QString valuesForPeople(const DerivationStepText& text, const std::optional<StepReading>& reading,
                         bool printed);
 

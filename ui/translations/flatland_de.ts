@@ -2793,18 +2793,6 @@
         <translation>Zeigen Sie auf die Kurve, um die Werte dort zu sehen.</translation>
     </message>
     <message>
-        <source>both sides agree</source>
-        <translation>beide Seiten stimmen überein</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1 % apart&lt;/b&gt;</source>
-        <translation>&lt;b&gt;%1 % auseinander&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>residual %1</source>
-        <translation>Residuum %1</translation>
-    </message>
-    <message>
         <source>%1 (%2 % of the curve)</source>
         <translation>%1 (%2 % der Kurve)</translation>
     </message>
@@ -2843,6 +2831,30 @@
     <message>
         <source>Seen from here the surface bends alike in all directions, or not at all: there is no t_A.</source>
         <translation>Von hier gesehen krümmt sich die Fläche in alle Richtungen gleich oder gar nicht: es gibt kein t_A.</translation>
+    </message>
+    <message>
+        <source>%1: rounding, both sides agree</source>
+        <translation>%1: Rundung, beide Seiten stimmen überein</translation>
+    </message>
+    <message>
+        <source>|left| + |right|</source>
+        <translation>|links| + |rechts|</translation>
+    </message>
+    <message>
+        <source>%1: &lt;b&gt;%2 % of %3&lt;/b&gt;</source>
+        <translation>%1: &lt;b&gt;%2 % von %3&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1: &lt;b&gt;%2 % of the largest %3&lt;/b&gt;</source>
+        <translation>%1: &lt;b&gt;%2 % des größten %3&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>left − right</source>
+        <translation>links − rechts</translation>
+    </message>
+    <message>
+        <source>largest |left − right|</source>
+        <translation>größtes |links − rechts|</translation>
     </message>
 </context>
 <context>
@@ -4079,10 +4091,6 @@
         <translation>Matrizen und Gleichungen</translation>
     </message>
     <message>
-        <source>Both sides of each equation at the vertex; lengths in units of the surface&apos;s size</source>
-        <translation>Beide Seiten jeder Gleichung am Eckpunkt; Längen in Einheiten der Größe der Fläche</translation>
-    </message>
-    <message>
         <source>Click a point of the surface, or press P over its picture.</source>
         <translation>Klicken Sie einen Punkt der Fläche an oder drücken Sie P über ihrem Bild.</translation>
     </message>
@@ -4197,6 +4205,30 @@
     <message>
         <source>Seen from nearby</source>
         <translation>Aus der Nähe gesehen</translation>
+    </message>
+    <message>
+        <source>Both sides of each equation at the vertex, and their difference from the digits shown; lengths in units of the surface&apos;s size</source>
+        <translation>Beide Seiten jeder Gleichung am Eckpunkt und ihr Unterschied nach den gezeigten Ziffern; Längen in Einheiten der Größe der Fläche</translation>
+    </message>
+    <message>
+        <source>feature</source>
+        <translation>Merkmal</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>0, the viewer is infinitely far away</source>
+        <translation>0, der Betrachter ist unendlich weit weg</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
     </message>
 </context>
 <context>
@@ -5029,6 +5061,13 @@
     </message>
 </context>
 <context>
+    <name>flatland::ui::LessonController</name>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>Lektion: %1</translation>
+    </message>
+</context>
+<context>
     <name>flatland::ui::LessonFiles</name>
     <message>
         <source>Open lesson</source>
@@ -5109,10 +5148,6 @@
         <translation>Wohin (3.13), wie gedruckt, scheinbare Grate setzte: hohl und gestrichelt</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt; · step %2 of %3%4</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt; · Schritt %2 von %3%4</translation>
-    </message>
-    <message>
         <source> · stop</source>
         <translation> · Halt</translation>
     </message>
@@ -5129,10 +5164,6 @@
         <translation>Werte</translation>
     </message>
     <message>
-        <source>The values of both sides at the probe</source>
-        <translation>Die Werte beider Seiten an der Sonde</translation>
-    </message>
-    <message>
         <source>How far the printed roots miss</source>
         <translation>Wie weit die gedruckten Nullstellen danebenliegen</translation>
     </message>
@@ -5143,6 +5174,14 @@
     <message>
         <source>The **Lesson** menu has four, and opens your own.</source>
         <translation>Das Menü **Lektion** hat vier und öffnet eigene.</translation>
+    </message>
+    <message>
+        <source>The values of both sides at the probe, and their difference from the digits shown</source>
+        <translation>Die Werte beider Seiten an der Sonde und ihr Unterschied nach den gezeigten Ziffern</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Step %1 of %2&lt;/b&gt;%3</source>
+        <translation>&lt;b&gt;Schritt %1 von %2&lt;/b&gt;%3</translation>
     </message>
 </context>
 <context>
@@ -6913,6 +6952,10 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>Drawn, as every crossing. The filters would say: %1</source>
         <translation>Gezeichnet wie jede Kreuzung. Die Filter würden sagen: %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,9 @@ namespace flatland::ui {
 
 namespace {
 
+constexpr int kNone = -1;       ///< no vertex is picked
+constexpr int kTermDigits = 6;  ///< as many as the sum has
+
 QString row(const QString& name, const QString& value) {
   return QStringLiteral("<tr><td>%1&nbsp;</td><td>=&nbsp;%2</td></tr>").arg(name, value);
 }
@@ -94,8 +97,12 @@ DerivationPanel::DerivationPanel(SurfaceStudy& study, QWidget* parent)
   vertex_->setObjectName("derivation.vertex");
   vertex_->setToolTip(tr("The vertex nearest to the picked point; type a number to pick another"));
   vertex_->setKeyboardTracking(false);
-  connect(vertex_, &QSpinBox::valueChanged, this,
-          [this](int value) { study_.pick().pickVertex(static_cast<std::uint32_t>(value)); });
+  vertex_->setSpecialValueText(tr("none"));
+  vertex_->setRange(kNone, kNone);
+  connect(vertex_, &QSpinBox::valueChanged, this, [this](int value) {
+    if (value == kNone) return study_.pick().pick(std::nullopt);
+    study_.pick().pickVertex(static_cast<std::uint32_t>(value));
+  });
   auto* label = new QLabel(tr("Vertex"), this);
   label->setBuddy(vertex_);
   printed_->setObjectName("derivation.printed");
@@ -105,7 +112,8 @@ DerivationPanel::DerivationPanel(SurfaceStudy& study, QWidget* parent)
   text_->setObjectName("derivation.text");
   text_->setAccessibleName(tr("Matrices and equations"));
   text_->setToolTip(
-      tr("Both sides of each equation at the vertex; lengths in units of the surface's size"));
+      tr("Both sides of each equation at the vertex, and their difference from the digits shown; "
+         "lengths in units of the surface's size"));
   text_->setFrameShape(QFrame::NoFrame);
   // Who scrolls looks at something else.
   connect(text_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
@@ -150,9 +158,9 @@ void DerivationPanel::refresh() {
   const QSignalBlocker blocker(vertex_);
   vertex_->setEnabled(pick.surface() != nullptr);
   if (pick.surface()) {
-    vertex_->setRange(0, static_cast<int>(pick.surface()->mesh->vertexCount()) - 1);
+    vertex_->setRange(kNone, static_cast<int>(pick.surface()->mesh->vertexCount()) - 1);
   }
-  if (pick.hit()) vertex_->setValue(static_cast<int>(pick.vertex()));
+  vertex_->setValue(pick.hit() ? static_cast<int>(pick.vertex()) : kNone);
   // What was read stays in sight while the camera moves.
   const int at = text_->verticalScrollBar()->value();
   if (!pick.hit()) {
@@ -186,7 +194,22 @@ QString DerivationPanel::matrices(const SurfacePlace& place) const {
                              .arg(numberForPeople(m.seen->feature), numberForPeople(m.seen->offset),
                                   numberForPeople(m.seen->perspective)));
   }
-  return "<table cellspacing='0' style='white-space: nowrap'>" + rows + "</table>";
+  return "<table cellspacing='0'>" + rows + "</table>";
+}
+
+/// What the sum of a step is made of.
+QString DerivationPanel::terms(SurfaceStep step, const SurfacePlace& place) const {
+  if (step != SurfaceStep::Terms && step != SurfaceStep::Perspective) return {};
+  const SurfaceMatrices m = surfaceMatrices(place);
+  if (!m.seen) return {};
+  QString rows = row(tr("feature"), numberForPeople(m.seen->feature, kTermDigits)) +
+                 row(tr("offset"), numberForPeople(m.seen->offset, kTermDigits));
+  if (step == SurfaceStep::Perspective) {
+    rows +=
+        row(tr("perspective"), place.distance ? numberForPeople(m.seen->perspective, kTermDigits)
+                                              : tr("0, the viewer is infinitely far away"));
+  }
+  return "<table cellspacing='0'>" + rows + "</table>";
 }
 
 QString DerivationPanel::steps(const SurfacePlace& place) const {
@@ -206,6 +229,7 @@ QString DerivationPanel::steps(const SurfacePlace& place) const {
             .arg(id, name, titleForPeople(step), printed ? tr(", as printed") : QString(), ground);
     html += known ? valuesForPeople(text, reading, printed)
                   : tr("There are no principal directions here.");
+    html += terms(step, place);
   }
   return html;
 }

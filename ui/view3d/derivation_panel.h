@@ -12,7 +12,7 @@ class QTextBrowser;
 namespace flatland::ui {
 
 /// Chapter 4 at the picked point, live while the camera moves: the matrices, and both sides of each
-/// equation with its residual, as printed or corrected. The vertex can be typed.
+/// equation with their difference, as printed or corrected. The vertex can be typed.
 class DerivationPanel : public QWidget {
   Q_OBJECT
 
@@ -34,6 +34,7 @@ class DerivationPanel : public QWidget {
   void refresh();
   void scrollToWanted();
   QString matrices(const SurfacePlace& place) const;
+  QString terms(SurfaceStep step, const SurfacePlace& place) const;
   QString steps(const SurfacePlace& place) const;
 
   SurfaceStudy& study_;

@@ -88,6 +88,9 @@ bool SurfaceInput::eventFilter(QObject*, QEvent* event) {
     }
     case QEvent::KeyPress:
       return key(static_cast<const QKeyEvent&>(*event));
+    case QEvent::FocusIn:
+      hintAtKeys();  // what the canvas of curves said is of no use here
+      return false;
     case QEvent::FocusOut:
       endDrag();
       return false;

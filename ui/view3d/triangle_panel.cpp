@@ -15,6 +15,8 @@ namespace flatland::ui {
 
 namespace {
 
+constexpr int kNone = -1;  ///< no triangle is picked
+
 /// What the filters say.
 QString filteredVerdict(const TriangleLesson& lesson) {
   QString sentence;
@@ -75,8 +77,12 @@ TrianglePanel::TrianglePanel(SurfaceStudy& study, const Display& display, QWidge
   triangle_->setObjectName("triangle.number");
   triangle_->setToolTip(tr("The picked triangle; type a number to pick another"));
   triangle_->setKeyboardTracking(false);
-  connect(triangle_, &QSpinBox::valueChanged, this,
-          [this](int value) { study_.pick().pickTriangle(static_cast<std::uint32_t>(value)); });
+  triangle_->setSpecialValueText(tr("none"));
+  triangle_->setRange(kNone, kNone);
+  connect(triangle_, &QSpinBox::valueChanged, this, [this](int value) {
+    if (value == kNone) return study_.pick().pick(std::nullopt);
+    study_.pick().pickTriangle(static_cast<std::uint32_t>(value));
+  });
   auto* label = new QLabel(tr("Triangle"), this);
   label->setBuddy(triangle_);
   words_->setObjectName("triangle.words");
@@ -146,9 +152,9 @@ void TrianglePanel::refresh() {
   const QSignalBlocker blocker(triangle_);
   triangle_->setEnabled(pick.surface() != nullptr);
   if (pick.surface()) {
-    triangle_->setRange(0, static_cast<int>(pick.surface()->mesh->triangleCount()) - 1);
+    triangle_->setRange(kNone, static_cast<int>(pick.surface()->mesh->triangleCount()) - 1);
   }
-  if (pick.hit()) triangle_->setValue(static_cast<int>(pick.hit()->triangle));
+  triangle_->setValue(pick.hit() ? static_cast<int>(pick.hit()->triangle) : kNone);
   const auto& lesson = study_.lesson();
   if (!pick.hit() || !lesson) {
     view_->show(nullptr, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
