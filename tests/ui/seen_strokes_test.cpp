@@ -370,6 +370,43 @@ class SeenStrokesTest : public QObject {
     QVERIFY(componentsOf(all, there).front() >= StrokeOptions{}.minLengthPx);
   }
 
+  /// The surface is gone through again for what changed, and not for what only looks different.
+  void aDifferenceFindsNothingTwice() {
+    SeenSource& other = *other_;
+    SurfaceSetting edited = setting();
+    edited.panes.resize(1);
+    edited.panes[0].shows = kShowsDifference;
+    edited.panes[0].derivative = kOneRing;
+    push(edited);
+    QVERIFY(settled());
+    QVERIFY(other.seen() && other.seen()->difference);
+    const int searches = other.searches(), before = other.findings();
+    QVERIFY(before > 0);
+    edited.style = "gooch";
+    push(edited);
+    QVERIFY(settled());
+    edited.hidden = "dashed";
+    SurfaceFamily ridges = familyOf(edited, LineFamily::ApparentRidges);
+    ridges.colour = "#123456";
+    edited = withFamily(edited, ridges);
+    push(edited);
+    QVERIFY(settled());
+    QVERIFY(other.searches() > searches);
+    QCOMPARE(other.findings(), before);
+    // Those of the first view are still there, those of the second are new.
+    edited.panes[0].derivative = kClosedForm;
+    edited.panes[0].families = std::vector<std::string>{"apparent-ridges"};
+    push(edited);
+    QVERIFY(settled());
+    QCOMPARE(other.findings(), before + 1);
+    // And for another view both.
+    SurfaceCamera camera = setting().camera;
+    camera.towards = Eigen::Vector3d(0.1, 0.5, 0.7).normalized();
+    document_->setCamera(camera);
+    QVERIFY(settled());
+    QCOMPARE(other.findings(), before + 3);
+  }
+
   /// Where what is hidden is known, the picture shows just that.
   void thePictureHidesWhatTheDrawingHides() {
     SurfacePicture picture;

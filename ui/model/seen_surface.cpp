@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/seen_surface.h"
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -71,6 +73,25 @@ PaneSetting findingPart(PaneSetting pane) {
   return pane;
 }
 
+/// What single pieces of line depend on: not how they are drawn, nor how large the picture is.
+PaneSetting piecesPart(PaneSetting pane) {
+  SurfaceSetting& surface = pane.surface;
+  surface.camera = foundFor(surface.camera);
+  surface.style = surface.quantity = surface.hidden = {};
+  if (surface.ink) surface.ink = 1.0;  // as much as there is, for any of it
+  std::vector<SurfaceFamily> families;
+  for (const LineFamily family : allLineFamilies()) {
+    const SurfaceFamily look = familyOf(surface, family);
+    SurfaceFamily& sought = families.emplace_back();
+    sought.name = look.name;
+    sought.on = look.on;
+    sought.threshold = look.threshold;
+  }
+  surface.families = std::move(families);
+  pane.difference = false;
+  return pane;
+}
+
 }  // namespace
 
 /// Keeps what one search lends to the next; searches of one view take turns.
@@ -127,15 +148,20 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
 
   /// Pieces of line, as many as strokes are judged by. Kept while only the picture changes.
   std::shared_ptr<const FeatureLines> find(const Lines& lines) {
-    Lines asked = lines;
-    asked.pane.surface.camera = foundFor(lines.pane.surface.camera);
-    if (pieces && asked == piecesOf) return pieces;
+    const PaneSetting asked = piecesPart(lines.pane);
+    const auto same = [&asked](const Pieces& pieces) { return pieces.of == asked; };
+    if (const auto at = std::find_if(kept.begin(), kept.end(), same); at != kept.end()) {
+      std::rotate(kept.begin(), at, at + 1);
+      return kept.front().found;
+    }
     LineOptions options = lineOptionsOf(lines.pane);
     if (!options.unfiltered) options = linesToFind(options, strokeOptionsOf(lines));
     const SurfaceView view = orbitView(lines.pane.surface.camera, surface->ballRadius);
-    pieces = std::make_shared<const FeatureLines>(finder->find(view, options));
-    piecesOf = std::move(asked);
-    return pieces;
+    auto found = std::make_shared<const FeatureLines>(finder->find(view, options));
+    ++findings;
+    if (kept.size() == kKept) kept.pop_back();
+    kept.insert(kept.begin(), {asked, found});
+    return found;
   }
 
   StrokeLines strokesOf(const FeatureLines& found, const Lines& lines, bool withSight,
@@ -183,11 +209,17 @@ struct SeenSource::Worker : std::enable_shared_from_this<Worker> {
 
   std::mutex turn;
   std::shared_ptr<const LoadedSurface> surface;
-  std::optional<LineFinder> finder;            ///< made by the first search
-  std::optional<flatland::Sight> sight;        ///< by the first that asks what is hidden
-  std::optional<double> tolerance;             ///< likewise
-  std::shared_ptr<const FeatureLines> pieces;  ///< last, for `piecesOf`
-  Lines piecesOf;
+  std::optional<LineFinder> finder;      ///< made by the first search
+  std::optional<flatland::Sight> sight;  ///< by the first that asks what is hidden
+  std::optional<double> tolerance;       ///< likewise
+  struct Pieces {
+    PaneSetting of;
+    std::shared_ptr<const FeatureLines> found;
+  };
+  /// A difference takes turns with the view that it is from.
+  static constexpr std::size_t kKept = 2;
+  std::vector<Pieces> kept;  ///< newest first
+  std::atomic<int> findings = 0;
 };
 
 bool SeenSurface::knowsHidden(const SurfaceView& from) const {
@@ -247,6 +279,8 @@ void SeenSource::drop() {
   seen_.reset();
   emit changed();
 }
+
+int SeenSource::findings() const { return worker_ ? worker_->findings.load() : 0; }
 
 void SeenSource::borrow() {
   if (seen_ == first_->seen_) return;

@@ -80,6 +80,9 @@ class SeenSource : public QObject {
   /// True while seen() is of another view or other settings.
   bool isStale() const { return job_.isStale() || (borrows_ && first_->isStale()); }
   int searches() const { return searches_; }  ///< of its own, ended so far
+  /// How often they had to go through the surface there is; what is drawn otherwise, or was found
+  /// just before, needs not.
+  int findings() const;
 
   /// Of the picture, width over height (> 0): strokes are as long as they are in it.
   void setAspect(double aspect);
