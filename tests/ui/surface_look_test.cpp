@@ -2,8 +2,10 @@
 // How the surface is shown, by mouse and keys: shading, hidden lines, counts of levels, cameras;
 // and the picture of OpenGL against the painted one of files.
 #include <QComboBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <cmath>
 #include <set>
@@ -14,6 +16,7 @@
 #include "ui/model/surface_look.h"
 #include "ui/model/theme.h"
 #include "ui/view3d/gl_canvas.h"
+#include "ui/view3d/soft_canvas.h"
 #include "ui/view3d/surface_area.h"
 #include "ui/view3d/surface_overlay.h"
 #include "ui/view3d/surface_picture.h"
@@ -64,6 +67,31 @@ class SurfaceLookTest : public QObject {
     QVERIFY(driver_->surfaceQuiet());
   }
   void cleanup() { driver_.reset(); }
+
+  /// Told once; from then on the surface is painted, and can be turned as before.
+  void whenOpenGlFailsThePainterGoesOn() {
+    if (!GlCanvas::possible()) QSKIP("no OpenGL");
+    withoutLines();
+    auto* gl = qobject_cast<GlCanvas*>(&canvas());
+    QVERIFY(gl);
+    QSignalSpy told(&driver_->window().surfaceArea(), &SurfaceArea::failed);
+    emit gl->failed("it is gone");
+    QTRY_VERIFY(qobject_cast<SoftCanvas*>(&canvas()));
+    QCOMPARE(told.count(), 1);
+    QTRY_COMPARE(driver_->window().findChildren<GlCanvas*>().size(), qsizetype{0});
+    QCOMPARE(driver_->child<QLabel>("message.text").text(), QStringLiteral("it is gone"));
+    QVERIFY(canvas().isVisible() && canvas().width() > 100);
+    const SurfacePicture picture = pictureOf(driver_->window().surfaceModels());
+    QTRY_VERIFY(difference(canvas().grab().toImage(), paintSurface(picture, canvas().size())) <
+                1.0);
+    const Eigen::Vector3d before = driver_->scene().surface->camera.towards;
+    const QPoint middle = canvas().rect().center();
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, middle);
+    QTest::mouseMove(&canvas(), middle + QPoint(40, 10));
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, middle + QPoint(40, 10));
+    QVERIFY((driver_->scene().surface->camera.towards - before).norm() > 0.05);
+    QCOMPARE(told.count(), 1);
+  }
 
   /// One for all views, below them: over a surface it would hide it, or be lost on it.
   void theLegendOfColoursLiesBelowTheViews() {

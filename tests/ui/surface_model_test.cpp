@@ -66,6 +66,52 @@ class SurfaceModelTest : public QObject {
   Q_OBJECT
 
  private slots:
+  /// The last message is about the file asked for last, and a mesh that comes back is told of.
+  void whatCannotBeReadIsToldOnce() {
+    Fixture f;
+    const auto last = [&f] { return f.failed.last()[0].toString(); };
+    const auto quiet = [&f] {
+      return QTest::qWaitFor([&f] { return !f.source.isBusy(); }, kPatienceMs);
+    };
+    SurfaceSetting own;
+    own.mesh = "none/own.ply";
+    f.document.push(std::make_unique<SetSurface>(f.document, own, "edit"));
+    QVERIFY(quiet());
+    QCOMPARE(f.failed.count(), 1);
+    QVERIFY2(last().contains("own.ply"), qPrintable(last()));
+    f.source.open("none/other.ply");
+    QVERIFY(quiet());
+    QTest::qWait(50);
+    QVERIFY(quiet());
+    QCOMPARE(f.failed.count(), 2);
+    QVERIFY2(last().contains("other.ply"), qPrintable(last()));
+    f.document.undoStack().undo();
+    QVERIFY(!f.document.scene().surface);
+    f.document.undoStack().redo();
+    QVERIFY(f.source.isReading());
+    QVERIFY(quiet());
+    QCOMPARE(f.failed.count(), 3);
+    QVERIFY2(last().contains("own.ply"), qPrintable(last()));
+    // Edits of how it would look do not read it again.
+    own.style = "paper";
+    f.document.push(std::make_unique<SetSurface>(f.document, own, "edit"));
+    QVERIFY(!f.source.isBusy());
+    // Another scene that names it does.
+    Scene scene = f.document.scene();
+    f.document.start(scene, "again");
+    QVERIFY(quiet());
+    QCOMPARE(f.failed.count(), 4);
+    // What was being read for the scene when another file was asked for is read after it.
+    own.mesh = "solid:torus:24";
+    f.document.push(std::make_unique<SetSurface>(f.document, own, "edit"));
+    QVERIFY(f.source.isReading());
+    f.source.open("none/other.ply");
+    QVERIFY(
+        QTest::qWaitFor([&f] { return f.source.surface() && !f.source.isBusy(); }, kPatienceMs));
+    QCOMPARE(f.failed.count(), 5);
+    QCOMPARE(f.source.surface()->reference, std::string("solid:torus:24"));
+  }
+
   void matrixAndProjectionAgree() {
     for (const bool perspective : {false, true}) {
       const Projection projection = orbitProjection(someCamera(perspective), 1.2, 640, 400);

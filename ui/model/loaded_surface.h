@@ -45,10 +45,12 @@ inline bool isSameSurface(const LoadedSurface& a, const LoadedSurface& b) {
   return a.mesh == b.mesh || (a.swept && b.swept);
 }
 
-/// Reads and mends the mesh that a reference names (named_mesh.h). Throws as loadNamedMesh.
+/// Reads and mends the mesh that a reference names (named_mesh.h). Throws as loadNamedMesh, and as
+/// MeshPlaces, without which nothing of it could be picked nor told to be hidden.
 LoadedSurface loadSurface(const std::string& reference);
 
-/// A mesh of a swept surface, under the reference kSweptMesh. Throws InputError if it has no area.
+/// A mesh of a swept surface, under the reference kSweptMesh. Throws InputError if it has no area,
+/// and as MeshPlaces.
 LoadedSurface loadSwept(const SweptSurface& surface, int cells);
 
 /// The same surface with its fields. `progress` gets the share done and says whether to go on;

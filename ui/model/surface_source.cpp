@@ -20,7 +20,13 @@ SurfaceSource::SurfaceSource(Document& document, QObject* parent)
     connect(job, &Job::runningChanged, this, &SurfaceSource::tellBusy);
   }
   connect(&opening_, &Job::failed, this, [this] {
-    if (opensNew_) readAgain();
+    const std::optional<SurfaceSetting>& setting = document_.scene().surface;
+    if (!opensNew_) {
+      unreadable_ = wanted_;
+    } else if (!setting || setting->mesh != unreadable_) {
+      // Reading that of the scene was given up for it; why that failed before has been told.
+      readAgain();
+    }
   });
   connect(&fields_, &Job::progressed, this, [this](double share) {
     if (!isReading()) emit progressed(share);
@@ -88,6 +94,8 @@ void SurfaceSource::follow(const Change& change) {
     scale_.reset();
     return readAgain();
   }
+  // What another scene names is told of, though it could not be read before.
+  if (change.what == Change::What::Scene && wanted_ == unreadable_) wanted_.clear();
   // What is swept goes by the curve, and its outside by the view.
   const bool turns = change.touchesScene() || change.what == Change::What::Camera;
   if (change.touchesSurface() || (turns && isSwept(document_.scene()))) update();
@@ -101,9 +109,9 @@ void SurfaceSource::update() {
   }
   sweep_.setWish(std::nullopt);
   if (!setting) {
+    wanted_.clear();
     if (!surface_ && !isReading()) return;
     drop();
-    wanted_.clear();
     surface_ = nullptr;
     emit changed();
   } else if (active_) {
@@ -143,6 +151,7 @@ bool SurfaceSource::isPreview() const {
 void SurfaceSource::start(const std::string& reference, bool isNew) {
   if (!isNew) {
     wanted_ = reference;
+    unreadable_.clear();
     // Another surface than the scene's is not shown, not even for a while.
     if (surface_ && surface_->reference != reference) {
       fields_.cancel();

@@ -74,6 +74,7 @@ class SurfaceSource : public QObject {
   SweepWork sweep_;
   std::shared_ptr<const LoadedSurface> surface_;
   std::string wanted_;           ///< reference of the last start; of one that failed too
+  std::string unreadable_;       ///< the scene's own, which failed and was told of
   std::optional<double> scale_;  ///< of the last estimate for surface_, done or not
   bool active_ = false;
   bool opensNew_ = false;  ///< opening_ reads what is not in the scene yet

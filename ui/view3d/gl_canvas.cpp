@@ -33,7 +33,7 @@ struct OpenGl {
   bool possible = false;
   bool software = false;  ///< the processor does the work
 };
-const OpenGl& openGl();
+OpenGl& openGl();
 
 QSurfaceFormat wantedFormat() {
   QSurfaceFormat format = QSurfaceFormat::defaultFormat();
@@ -59,9 +59,9 @@ OpenGl tryOpenGl() {
   return found;
 }
 
-const OpenGl& openGl() {
-  static const OpenGl kFound = tryOpenGl();
-  return kFound;
+OpenGl& openGl() {
+  static OpenGl found = tryOpenGl();
+  return found;
 }
 
 }  // namespace
@@ -110,16 +110,26 @@ void GlCanvas::begin() {
   surface_.create();
 }
 
+void GlCanvas::giveUp(const QString& reason) {
+  broken_ = true;
+  openGl().possible = false;
+  emit failed(reason);
+}
+
 void GlCanvas::draw(const QSize& pixels) {
   stale_ = false;
   if (!context_.isValid()) begin();
   if (!context_.isValid() || !context_.makeCurrent(&surface_)) {
-    emit failed(tr("The surface cannot be drawn by OpenGL any more."));
-    return;
+    return giveUp(tr("The surface cannot be drawn by OpenGL any more."));
   }
   if (!painter_) {
     painter_ = std::make_unique<GlPainter>();
-    if (!painter_->fault().isEmpty()) emit failed(tr("OpenGL: %1").arg(painter_->fault()));
+    if (!painter_->fault().isEmpty()) {
+      const QString fault = painter_->fault();
+      painter_.reset();
+      context_.doneCurrent();
+      return giveUp(tr("OpenGL: %1").arg(fault));
+    }
   }
   const double ratio = devicePixelRatioF();
   const bool software = openGl().software;
@@ -155,11 +165,11 @@ void GlCanvas::draw(const QSize& pixels) {
 
 void GlCanvas::paintEvent(QPaintEvent*) {
   const QSize pixels = size() * devicePixelRatioF();
-  if (!pixels.isEmpty() && (stale_ || image_.size() != pixels)) {
+  if (!broken_ && !pixels.isEmpty() && (stale_ || image_.size() != pixels)) {
     QElapsedTimer timer;
     timer.start();
     draw(pixels);
-    emit painted(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+    if (!broken_) emit painted(static_cast<double>(timer.nsecsElapsed()) / 1e6);
   }
   QPainter painter(this);
   if (image_.isNull()) return painter.fillRect(rect(), palette().base());

@@ -27,11 +27,12 @@ class GlCanvas : public QWidget {
   explicit GlCanvas(const SurfaceModels& models, QWidget* parent = nullptr);
   ~GlCanvas() override;
 
-  /// True if this platform has OpenGL 3.3 core. Asked once.
+  /// True if this platform has OpenGL 3.3 core, and no canvas has failed. Asked once.
   static bool possible();
 
  signals:
   void painted(double milliseconds);
+  /// Once, the last that comes of it: another canvas has to take its place.
   void failed(const QString& reason);
 
  protected:
@@ -44,6 +45,7 @@ class GlCanvas : public QWidget {
   void renew();
   void begin();
   void draw(const QSize& pixels);
+  void giveUp(const QString& reason);
 
   SurfaceModels models_;
   QOffscreenSurface surface_;
@@ -52,8 +54,9 @@ class GlCanvas : public QWidget {
   Buffer fine_;   ///< several samples for each pixel of the canvas
   Buffer plain_;  ///< one for each
   QImage image_;
-  bool stale_ = true;  ///< the image shows what was
-  QTimer rest_;        ///< runs while the camera moves
+  bool stale_ = true;    ///< the image shows what was
+  bool broken_ = false;  ///< has failed
+  QTimer rest_;          ///< runs while the camera moves
 };
 
 }  // namespace flatland::ui

@@ -44,7 +44,6 @@ PaneWidget::PaneWidget(const SurfaceModels& models, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(title_);
   makeCanvas();
-  layout->addWidget(canvas_, 1);
   connect(&models_.document, &Document::changed, this, [this](const Change& change) {
     if (change.touchesSurface()) showSetting();
     if (change.what == Change::What::Camera) probeTimer_.start();
@@ -57,24 +56,40 @@ PaneWidget::PaneWidget(const SurfaceModels& models, QWidget* parent)
 }
 
 void PaneWidget::makeCanvas() {
-  if (GlCanvas::possible()) {
-    auto* gl = new GlCanvas(models_, this);
-    connect(gl, &GlCanvas::failed, this, &PaneWidget::failed);
-    canvas_ = gl;
-  } else {
-    canvas_ = new SoftCanvas(models_, this);
-  }
+  if (!GlCanvas::possible()) return useCanvas(new SoftCanvas(models_, this));
+  auto* gl = new GlCanvas(models_, this);
+  useCanvas(gl);
+  connect(gl, &GlCanvas::failed, this, &PaneWidget::failed);
+  // It tells that in the middle of an event of its own.
+  connect(gl, &GlCanvas::failed, this, &PaneWidget::paintWithoutOpenGl, Qt::QueuedConnection);
+  connect(gl, &GlCanvas::painted, overlay_, &SurfaceOverlay::setFrameMs);
+}
+
+void PaneWidget::paintWithoutOpenGl() {
+  if (!qobject_cast<GlCanvas*>(canvas_)) return;
+  QWidget* const before = canvas_;
+  const bool hadFocus = before->hasFocus();
+  input_->setSpinning(false);
+  before->setObjectName({});
+  before->hide();
+  before->deleteLater();
+  auto* soft = new SoftCanvas(models_, this);
+  useCanvas(soft);
+  soft->show();
+  if (hadFocus) soft->setFocus();
+}
+
+void PaneWidget::useCanvas(QWidget* canvas) {
+  canvas_ = canvas;
   const bool first = models_.pane == 0;
   canvas_->setObjectName(first ? QStringLiteral("surface.canvas")
                                : QStringLiteral("surface.canvas.%1").arg(models_.pane));
   canvas_->setAccessibleName(first ? tr("Picture of the surface")
                                    : tr("Picture of the surface, view %1").arg(models_.pane + 1));
+  static_cast<QVBoxLayout*>(layout())->addWidget(canvas_, 1);
   overlay_ = new SurfaceOverlay(models_, canvas_);
-  if (auto* gl = qobject_cast<GlCanvas*>(canvas_)) {
-    connect(gl, &GlCanvas::painted, overlay_, &SurfaceOverlay::setFrameMs);
-  } else {
-    connect(static_cast<SoftCanvas*>(canvas_), &SoftCanvas::painted, overlay_,
-            &SurfaceOverlay::setFrameMs);
+  if (auto* soft = qobject_cast<SoftCanvas*>(canvas_)) {
+    connect(soft, &SoftCanvas::painted, overlay_, &SurfaceOverlay::setFrameMs);
   }
   input_ = new SurfaceInput(*canvas_, models_);
   connect(input_, &SurfaceInput::hint, this, &PaneWidget::hint);

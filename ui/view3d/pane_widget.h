@@ -14,9 +14,9 @@ namespace flatland::ui {
 class SurfaceInput;
 class SurfaceOverlay;
 
-/// One view of the surface: its picture with words over it, by OpenGL where that is possible, else
-/// painted. Beside others it has a row that says what it shows, with a menu to change that, and a
-/// frame if it is the one that panels are about.
+/// One view of the surface: its picture with words over it, by OpenGL where that is possible and as
+/// long as it works, else painted. Beside others it has a row that says what it shows, with a menu
+/// to change that, and a frame if it is the one that panels are about.
 class PaneWidget : public QWidget {
   Q_OBJECT
 
@@ -39,6 +39,8 @@ class PaneWidget : public QWidget {
 
  private:
   void makeCanvas();
+  void useCanvas(QWidget* canvas);
+  void paintWithoutOpenGl();
   void showSetting();
   void showTitle();
   void probe();
