@@ -187,6 +187,8 @@ class SurfaceFigureTest : public QObject {
         if (group) length[off ? 0 : seen ? 1 : 2] = lengthOf(*group);
       }
       QVERIFY(groupOf(figure, "section-marks"));
+      // A torus cut across has marks behind it from everywhere.
+      QCOMPARE(groupOf(figure, "section-marks-hidden") != nullptr, !off);
     }
     QVERIFY(models.bridges.section.view());
     const SectionView& section = *models.bridges.section.view();

@@ -18,8 +18,8 @@ void addSpots(std::vector<FigureGroup>& groups, const SurfacePicture& picture,
                          {"section-marks", "marks section visible", {}},
                          {"section-crossings-hidden", "crossings section hidden", {}},
                          {"section-crossings", "crossings section visible", {}}};
-  for (const SectionSpot& spot :
-       sectionSpots(section, seen, projection, picture.markKinds, picture.palette, scale)) {
+  for (const SectionSpot& spot : sectionSpots(section, seen, projection, picture.setting,
+                                              picture.markKinds, picture.palette, scale)) {
     // A symbol at the edge would be cut into pieces where there are several views.
     if (spot.at.x() < 0.0 || spot.at.y() < 0.0 || spot.at.x() > projection.width ||
         spot.at.y() > projection.height) {

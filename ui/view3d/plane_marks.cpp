@@ -7,6 +7,7 @@
 #include "ui/export/figure_qt.h"
 #include "ui/model/bridges.h"
 #include "ui/model/cutting_plane.h"
+#include "ui/model/surface_look.h"
 #include "ui/model/theme.h"
 #include "ui/panels/mark_painting.h"
 #include "ui/view3d/mark_lines.h"
@@ -85,12 +86,13 @@ std::vector<bool> seenSpots(const SectionView& section, const SurfaceView& view)
 }
 
 std::vector<SectionSpot> sectionSpots(const SectionView& section, const std::vector<bool>& seen,
-                                      const Projection& projection, MarkKinds kinds,
-                                      Palette palette, double scale) {
+                                      const Projection& projection, const SurfaceSetting& setting,
+                                      MarkKinds kinds, Palette palette, double scale) {
   const TriangleMesh& mesh = *section.surface->mesh;
   const auto onScreen = [&](const Eigen::Vector3d& inFile) {
     return projection.toScreen((inFile - mesh.origin) / mesh.unit);
   };
+  const bool leavesHiddenOut = hiddenOf(setting) == HiddenLines::Off;
   std::vector<SectionSpot> spots;
   const std::vector<SectionMark>& marks = section.marks.marks;
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -98,14 +100,17 @@ std::vector<SectionSpot> sectionSpots(const SectionView& section, const std::vec
     const auto at = onScreen(marks[i].at);
     if (!at || !contains(kinds, kind)) continue;
     const bool hidden = !seen[i];
+    if (hidden && leavesHiddenOut) continue;
     spots.push_back(
         {markSymbol(kind, *at, scale * kSymbolSizePx, 0.0, palette, hidden), 0, *at, hidden});
   }
   for (std::size_t k = 0; k < section.pairs.size(); ++k) {
     const auto& ridge = section.pairs[k].ridge;
     if (!ridge) continue;
+    const bool hidden = !seen[marks.size() + *ridge];
     const auto at = onScreen(section.marks.ridges[*ridge].at);
-    if (at) spots.push_back({{}, static_cast<int>(k) + 1, *at, !seen[marks.size() + *ridge]});
+    if (!at || (hidden && leavesHiddenOut)) continue;
+    spots.push_back({{}, static_cast<int>(k) + 1, *at, hidden});
   }
   return spots;
 }
@@ -134,7 +139,7 @@ void paintPlane(QPainter& painter, const SurfaceModels& models, const Projection
   const auto& section = models.bridges.section.view();
   if (section && section->surface->mesh == models.source.surface()->mesh) {
     const double scale = models.display.uiScale();
-    for (const SectionSpot& spot : sectionSpots(*section, seenSpots(*section), projection,
+    for (const SectionSpot& spot : sectionSpots(*section, seenSpots(*section), projection, *setting,
                                                 models.display.families(), themePalette(), scale)) {
       if (spot.crossing > 0) {
         paintCrossing(painter, pointOf(spot.at), spot.crossing, scale, spot.hidden);

@@ -18,10 +18,11 @@ struct SectionSpot {
 };
 
 /// The marks of a section of the kinds that are shown, and where apparent ridges of the surface go
-/// through its plane. `seen` says what can be seen: marks first, then ridges.
+/// through its plane. `seen` says what can be seen: marks first, then ridges. What cannot is left
+/// out where the setting leaves hidden lines out.
 std::vector<SectionSpot> sectionSpots(const SectionView& section, const std::vector<bool>& seen,
-                                      const Projection& projection, MarkKinds kinds,
-                                      Palette palette, double scale);
+                                      const Projection& projection, const SurfaceSetting& setting,
+                                      MarkKinds kinds, Palette palette, double scale);
 
 /// `seen` of sectionSpots() as the first view sees it, and as another one does: by a ray for each.
 std::vector<bool> seenSpots(const SectionView& section);
