@@ -8,8 +8,11 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QWheelEvent>
 
 #include "flatland/io/scene_json.h"
 #include "tests/ui/support_meshes.h"
@@ -209,10 +212,70 @@ class SurfaceTest : public QObject {
     QVERIFY(width.isVisible() && slider.isVisible());
     d.canvasKey(Qt::Key_F11);
     QVERIFY(fits());
-    QVERIFY(creases.isVisible() && !slider.isVisible());
+    QVERIFY(creases.isVisible());
+    // Every name is whole and every slider has room, also beside a bar that scrolls the rest.
+    const auto& area = d.child<QScrollArea>("families-panel.scroll");
+    for (const QCheckBox* name : d.child<QWidget>("families-panel").findChildren<QCheckBox*>()) {
+      if (name->isVisible()) QVERIFY(name->width() >= name->minimumSizeHint().width());
+    }
+    QVERIFY(slider.isVisible() && slider.width() > 300);
+    QCOMPARE(area.horizontalScrollBar()->maximum(), 0);
     d.canvasKey(Qt::Key_F11);
     QVERIFY(fits());
-    QVERIFY(slider.isVisible());
+    QVERIFY(slider.isVisible() && slider.width() > 300);
+  }
+
+  void sliderStepsAreFineAndTheWheelScrollsWhatScrolls() {
+    WindowDriver& d = *driver_;
+    d.window().resize(1280, 800);
+    openSolid("torus:20");
+    auto& slider = d.child<QSlider>("families.apparent-ridges.slider");
+    const auto threshold = [&] {
+      return *familyOf(*d.scene().surface, LineFamily::ApparentRidges).threshold;
+    };
+    const double usual = threshold();
+    slider.setFocus();
+    QTest::keyClick(&slider, Qt::Key_Left);
+    QVERIFY(threshold() < usual && threshold() > 0.95 * usual);
+    QTest::keyClick(&slider, Qt::Key_Right);
+    QVERIFY(std::abs(threshold() / usual - 1.0) < 0.02);
+    // A hand's breadth is not the whole range.
+    const QPoint knob(slider.width() * slider.value() / slider.maximum(), slider.height() / 2);
+    QTest::mousePress(&slider, Qt::LeftButton, {}, knob);
+    const QPoint to = knob - QPoint(20, 0);
+    QMouseEvent move(QEvent::MouseMove, to, slider.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     {});
+    QCoreApplication::sendEvent(&slider, &move);
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, to);
+    QVERIFY2(threshold() > 0.4 * usual && threshold() < 0.9 * usual,
+             qPrintable(QString::number(threshold())));
+    // The next mesh has the same size, so it keeps what was chosen.
+    const double chosen = threshold();
+    openSolid("gaussian-bump");
+    QCOMPARE(threshold(), chosen);
+    // The wheel.
+    const auto turn = [&slider](int degrees) {
+      const QPointF at(slider.rect().center());
+      QWheelEvent event(at, slider.mapToGlobal(at), {}, {0, 8 * degrees}, Qt::NoButton, {},
+                        Qt::NoScrollPhase, false);
+      QApplication::sendEvent(&slider, &event);
+      return event.isAccepted();  // else it goes on to what scrolls
+    };
+    slider.setFocus();
+    QVERIFY(turn(15));
+    QVERIFY(threshold() > chosen);
+    d.canvasKey(Qt::Key_F11);
+    d.settle();
+    const auto& bar = *d.child<QScrollArea>("families-panel.scroll").verticalScrollBar();
+    QVERIFY(bar.maximum() > 0);
+    d.canvas().setFocus();
+    const double before = threshold();
+    QVERIFY(!turn(-30));
+    QCOMPARE(threshold(), before);
+    slider.setFocus();
+    QVERIFY(turn(-30));
+    QVERIFY(threshold() < before);
+    d.canvasKey(Qt::Key_F11);
   }
 
   void whatMayLieDownIsAskedOnce() {

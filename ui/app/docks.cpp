@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/docks.h"
 
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 
 #include "ui/app/dock_title.h"
 
@@ -22,6 +27,33 @@ Qt::DockWidgetArea areaOf(Docks::Group group) {
   return group == Docks::Group::Bottom ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea;
 }
 
+/// Where a panel scrolls the wheel does that, and does not turn the fields that come below it: only
+/// one that has the focus.
+class WheelScrolls : public QObject {
+ public:
+  explicit WheelScrolls(QScrollArea& area) : QObject(&area), area_(area) {
+    for (QWidget* field : area.widget()->findChildren<QWidget*>()) {
+      const bool turns =
+          qobject_cast<QAbstractSpinBox*>(field) || qobject_cast<QComboBox*>(field) ||
+          (qobject_cast<QAbstractSlider*>(field) && !qobject_cast<QScrollBar*>(field));
+      if (!turns) continue;
+      if (field->focusPolicy() == Qt::WheelFocus) field->setFocusPolicy(Qt::StrongFocus);
+      field->installEventFilter(this);
+    }
+  }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::Wheel) return false;
+    if (static_cast<QWidget*>(watched)->hasFocus()) return false;
+    if (area_.verticalScrollBar()->maximum() == 0) return false;
+    event->ignore();  // goes on to the area
+    return true;
+  }
+
+ private:
+  QScrollArea& area_;
+};
+
 /// A panel that needs more room than its dock has scrolls; so no panel makes the window large.
 QScrollArea* scrolled(QWidget* panel) {
   auto* area = new QScrollArea;
@@ -32,6 +64,7 @@ QScrollArea* scrolled(QWidget* panel) {
   area->setFocusPolicy(Qt::NoFocus);
   area->setFocusProxy(panel);
   area->setMinimumSize(120, 60);
+  new WheelScrolls(*area);
   return area;
 }
 

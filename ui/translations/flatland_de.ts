@@ -4442,40 +4442,8 @@
         <translation>Blass</translation>
     </message>
     <message>
-        <source>Draw these lines</source>
-        <translation>Diese Linien zeichnen</translation>
-    </message>
-    <message>
-        <source>Threshold of %1</source>
-        <translation>Schwelle von %1</translation>
-    </message>
-    <message>
-        <source>How strong a line must be; curvatures times the size of the surface</source>
-        <translation>Wie stark eine Linie sein muss; Krümmungen mal Größe der Fläche</translation>
-    </message>
-    <message>
         <source>Colour of %1</source>
         <translation>Farbe von %1</translation>
-    </message>
-    <message>
-        <source>Another colour; the usual one suits the background</source>
-        <translation>Eine andere Farbe; die übliche passt zum Hintergrund</translation>
-    </message>
-    <message>
-        <source>Width of %1</source>
-        <translation>Breite von %1</translation>
-    </message>
-    <message>
-        <source>Width in pixels</source>
-        <translation>Breite in Pixeln</translation>
-    </message>
-    <message>
-        <source>Fade %1</source>
-        <translation>%1 blasser</translation>
-    </message>
-    <message>
-        <source>Weak lines are paler</source>
-        <translation>Schwache Linien sind blasser</translation>
     </message>
     <message>
         <source>Lines that the surface hides</source>
@@ -4514,20 +4482,8 @@
         <translation>Wie viele Stufen der Höhe</translation>
     </message>
     <message>
-        <source>Isophotes</source>
-        <translation>Isophoten</translation>
-    </message>
-    <message>
-        <source>Heights</source>
-        <translation>Höhen</translation>
-    </message>
-    <message>
         <source>change lines</source>
         <translation>Linien ändern</translation>
-    </message>
-    <message>
-        <source>Smallest angle between the two triangles of an edge</source>
-        <translation>Kleinster Winkel zwischen den beiden Dreiecken einer Kante</translation>
     </message>
 </context>
 <context>
@@ -4539,6 +4495,53 @@
     <message>
         <source>b/a = %1. The triangle marks b/a = √(3/2) = 1.2247: seen along y, the tip that faces the viewer is an apparent ridge only above it; below, lambda has a minimum there.</source>
         <translation>b/a = %1. Das Dreieck markiert b/a = √(3/2) = 1.2247: Entlang y gesehen ist der Scheitel vor dem Betrachter nur darüber ein scheinbarer Grat; darunter hat λ dort ein Minimum.</translation>
+    </message>
+</context>
+<context>
+    <name>flatland::ui::FamilyRow</name>
+    <message>
+        <source>Draw these lines</source>
+        <translation>Diese Linien zeichnen</translation>
+    </message>
+    <message>
+        <source>Smallest angle between the two triangles of an edge</source>
+        <translation>Kleinster Winkel zwischen den beiden Dreiecken einer Kante</translation>
+    </message>
+    <message>
+        <source>How strong a line must be; curvatures times the size of the surface, so that the threshold can stay, and stays, for the next mesh</source>
+        <translation>Wie stark eine Linie sein muss; Krümmungen mal Größe der Fläche, daher kann und wird die Schwelle für das nächste Netz bleiben</translation>
+    </message>
+    <message>
+        <source>Threshold of %1</source>
+        <translation>Schwelle von %1</translation>
+    </message>
+    <message>
+        <source>. Arrow keys and wheel: 2 % up or down</source>
+        <translation>. Pfeiltasten und Rad: 2 % mehr oder weniger</translation>
+    </message>
+    <message>
+        <source>Fade %1</source>
+        <translation>%1 blasser</translation>
+    </message>
+    <message>
+        <source>Weak lines are paler</source>
+        <translation>Schwache Linien sind blasser</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>Another colour; the usual one suits the background</source>
+        <translation>Eine andere Farbe; die übliche passt zum Hintergrund</translation>
+    </message>
+    <message>
+        <source>Width of %1</source>
+        <translation>Breite von %1</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
     </message>
 </context>
 <context>

@@ -5,15 +5,13 @@
 #include <array>
 
 #include "ui/model/surface_look.h"
+#include "ui/view3d/family_row.h"
 #include "ui/view3d/surface_models.h"
 
-class QAbstractButton;
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
-class QSlider;
 class QSpinBox;
 
 namespace flatland::ui {
@@ -26,7 +24,7 @@ class FamiliesPanel : public QWidget {
  public:
   explicit FamiliesPanel(const SurfaceModels& models, QWidget* parent = nullptr);
 
-  /// Without width, fade and sliders, which stand where there is room for them.
+  /// Without width and fade, which stand where there is room for them.
   QSize minimumSizeHint() const override;
 
  protected:
@@ -34,18 +32,10 @@ class FamiliesPanel : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  static constexpr int kColumns = 6;
-  struct Row {
-    QCheckBox* on;
-    QSlider* slider;
-    QDoubleSpinBox* threshold;
-    QAbstractButton* colour;
-    QDoubleSpinBox* width;
-    QCheckBox* fade;
-
-    std::array<QWidget*, kColumns> parts() const;  ///< by column
-  };
-  Row makeRow(LineFamily family, QGridLayout& grid, int line);
+  void addRow(LineFamily family, QGridLayout& grid, int line);
+  /// How many levels there are of a family that has no threshold, in the place of one.
+  QSpinBox* addLevels(LineFamily family, const char* id, const QString& tip,
+                      int SurfaceSetting::*count);
   QWidget* makeCommon();
   void fitFields();               ///< to the digits in the font there is
   int widthOf(int column) const;  ///< at least, with the space beside it
@@ -57,14 +47,14 @@ class FamiliesPanel : public QWidget {
   void chooseColour(LineFamily family);
 
   SurfaceModels models_;
-  std::array<Row, kLineFamilyCount> rows_{};
-  std::array<QLabel*, kColumns> heads_{};  ///< by column; null: it has none
+  std::array<FamilyRow*, kLineFamilyCount> rows_{};
+  std::array<QLabel*, FamilyRow::kColumns> heads_{};  ///< by column; null: it has none
+  QGridLayout* grid_ = nullptr;
   QWidget* common_ = nullptr;
   QComboBox* hidden_ = nullptr;
   QCheckBox* unfiltered_ = nullptr;
   QSpinBox* isophotes_ = nullptr;
   QSpinBox* heights_ = nullptr;
-  int gesture_ = 0;  ///< of the slider under the hand
 };
 
 }  // namespace flatland::ui
