@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMessageBox>
 #include <QScrollBar>
 #include <QSpinBox>
 #include <QTextBrowser>
@@ -12,7 +13,9 @@
 #include "tests/ui/support_window.h"
 #include "ui/app/layouts.h"
 #include "ui/app/surface_controller.h"
+#include "ui/commands/scene_commands.h"
 #include "ui/model/orbit.h"
+#include "ui/model/surface_look.h"
 #include "ui/view3d/surface_area.h"
 
 using namespace flatland;
@@ -189,6 +192,65 @@ class LessonWindowTest : public QObject {
     QVERIFY(!pick().hit());
   }
 
+  void lookingIsNoWorkAndWorkIsNamed() {
+    d().window().surfaces().openSolid("torus:20");
+    QVERIFY(d().surfaceQuiet());
+    const auto change = [this](const auto& edit) {
+      std::optional<SurfaceSetting> setting = d().scene().surface;
+      edit(*setting);
+      d().document().push(std::make_unique<SetSurface>(d().document(), setting, "edit"));
+      d().settle();
+    };
+    change([](SurfaceSetting& s) { s = withFamily(s, shown(LineFamily::Ridges)); });
+    change([](SurfaceSetting& s) { s.style = "toon"; });
+    d().trigger("surface.compare.two");
+    QVERIFY(d().scene().surface->panes.size() == 1);
+    d().document().undoStack().undo();
+    QVERIFY(!d().window().isWindowModified());
+    // A threshold set by hand is some, also after a lesson, which is none itself.
+    change([](SurfaceSetting& s) { s = withFamily(s, shown(LineFamily::Ridges, 7.5)); });
+    QVERIFY(d().window().isWindowModified());
+    QVERIFY(asked().contains("widths of the lines of torus:20"));
+    d().document().undoStack().undo();
+    d().settle();
+    QVERIFY(!d().window().isWindowModified());
+    startLesson("surface");
+    QVERIFY(d().window().windowTitle().startsWith("Apparent ridges on a surface"));
+    QVERIFY(!d().window().isWindowModified());
+    pressed(Qt::Key_Left);
+    change([](SurfaceSetting& s) { s = withFamily(s, shown(LineFamily::Valleys)); });
+    QVERIFY(!d().window().isWindowModified());
+    d().document().undoStack().undo();
+    lesson().leave();
+    QVERIFY(d().surfaceQuiet());
+    QVERIFY(!d().window().isWindowModified());
+    QVERIFY(d().window().windowTitle().startsWith("torus:20"));
+    // Of curves the question speaks where they were changed.
+    d().drag(d().atPoint(1), d().atPoint(1) + QPoint(33, 17));
+    QVERIFY(d().window().isWindowModified());
+    const QString said = asked();
+    QVERIFY2(said.contains("the curves") && !said.contains("torus"), qPrintable(said));
+  }
+
+  void theNextMeshLooksAsTheOneThatWasClosed() {
+    d().window().surfaces().openSolid("torus:20");
+    QVERIFY(d().surfaceQuiet());
+    std::optional<SurfaceSetting> mine = d().scene().surface;
+    mine->style = "toon";
+    mine = withFamily(*mine, shown(LineFamily::Ridges, 7.5));
+    d().document().push(std::make_unique<SetSurface>(d().document(), mine, "edit"));
+    d().trigger("surface.close");
+    QVERIFY(!d().scene().surface);
+    startLesson("surface");
+    lesson().leave();
+    QVERIFY(d().surfaceQuiet());
+    QVERIFY(!d().scene().surface);
+    d().window().surfaces().openSolid("sphere:20");
+    QVERIFY(d().surfaceQuiet());
+    QCOMPARE(d().scene().surface->style, mine->style);
+    QVERIFY(d().scene().surface->families == mine->families);
+  }
+
   void theArrangementComesBack() {
     d().window().surfaces().openSolid("torus:20");
     QVERIFY(d().surfaceQuiet());
@@ -233,6 +295,24 @@ class LessonWindowTest : public QObject {
   }
 
  private:
+  static SurfaceFamily shown(LineFamily which, std::optional<double> threshold = {}) {
+    SurfaceFamily family = usualFamily(which);
+    family.on = true;
+    if (threshold) family.threshold = threshold;
+    return family;
+  }
+  /// What closing the window asks, which is cancelled.
+  QString asked() {
+    QString said;
+    whenModal([&said](QWidget& dialog) {
+      auto* box = qobject_cast<QMessageBox*>(&dialog);
+      QVERIFY(box);
+      said = box->text() + " " + box->informativeText();
+      QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+    });
+    if (d().window().close()) qFatal("nothing was asked");
+    return said;
+  }
   WindowDriver& d() { return *driver_; }
   LessonModel& lesson() { return d().window().lesson(); }
   SurfacePick& pick() { return d().window().surfaceModels().pick; }

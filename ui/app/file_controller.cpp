@@ -19,6 +19,7 @@
 #include "ui/model/core_words.h"
 #include "ui/model/loaded_surface.h"
 #include "ui/model/paths.h"
+#include "ui/model/unsaved_work.h"
 #include "ui/panels/save_name.h"
 
 namespace flatland::ui {
@@ -171,11 +172,17 @@ bool FileController::mayDiscard() {
   }
   // Another scene in the place of the one with that name is no change of it.
   const QString replaced = whatReplacedIt(document_.undoStack());
+  const QString question = document_.file().empty()
+                               ? tr("Save this scene?")
+                               : tr("Save the changes to %1?").arg(shownName(document_));
+  const Scene& own = ownScene_ ? ownScene_() : document_.scene();
   const auto answer =
-      askToSave(replaced.isEmpty() ? tr("Save the changes to %1?").arg(shownName(document_))
-                                   : tr("Save the scene that took the place of %1 (%2)?")
-                                         .arg(shownName(document_), replaced),
-                replaced.isEmpty() ? tr("They are lost otherwise.") : tr("It is lost otherwise."));
+      replaced.isEmpty()
+          ? askToSave(question,
+                      tr("Lost otherwise: %1.").arg(unsavedWorkForPeople(own, document_.saved())))
+          : askToSave(tr("Save the scene that took the place of %1 (%2)?")
+                          .arg(shownName(document_), replaced),
+                      tr("It is lost otherwise."));
   switch (answer) {
     case QMessageBox::Save:
       return save();

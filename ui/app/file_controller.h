@@ -41,8 +41,12 @@ class FileController : public QObject {
   /// True if nothing unsaved is left, the person let it go, or it has been saved now.
   bool mayDiscard();
 
-  /// What mayDiscard() asks instead of Document::isModified(): a lesson is no work of the person's.
-  void setUnsavedWork(std::function<bool()> has) { hasUnsavedWork_ = std::move(has); }
+  /// What mayDiscard() asks instead of Document::isModified(): a lesson is no work of the person's,
+  /// whose own scene is another.
+  void setUnsavedWork(std::function<bool()> has, std::function<const Scene&()> scene) {
+    hasUnsavedWork_ = std::move(has);
+    ownScene_ = std::move(scene);
+  }
 
   /// Whether a lesson is open whose scene was changed: mayDiscard() offers to save that scene too,
   /// which is not the person's own.
@@ -74,6 +78,7 @@ class FileController : public QObject {
   MessageBar& messages_;
   QSettings* settings_;
   std::function<bool()> hasUnsavedWork_, hasLessonEdits_;
+  std::function<const Scene&()> ownScene_;
   std::function<bool(const QString&)> other_;
 };
 

@@ -183,9 +183,11 @@ void MainWindow::connectParts() {
   });
   // A file is about the person's own scene, never about a step's.
   connect(files_, &FileController::aboutToUseFile, &lesson_, &LessonModel::leave);
-  files_->setUnsavedWork([this] { return lesson_.hasUnsavedWork(); });
+  files_->setUnsavedWork([this] { return lesson_.hasUnsavedWork(); },
+                         [this]() -> const Scene& { return lesson_.ownScene(); });
   files_->setLessonEdits([this] { return lesson_.hasEdits(); });
   connect(edits_, &EditController::refused, status_, &StatusLine::say);
+  connect(&lesson_, &LessonModel::changed, this, &MainWindow::showTitle);
   connect(&document_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::showTitle);
   connect(&document_, &Document::changed, this, [this](const Change& change) {
@@ -252,8 +254,10 @@ void MainWindow::setLanguage(const QString& code) {
 }
 
 void MainWindow::showTitle() {
-  setWindowTitle(tr("%1[*] – Flatland").arg(shownTitle(document_)));
-  setWindowModified(document_.isModified());
+  const QString shown =
+      lesson_.isOpen() ? QString::fromStdString(lesson_.lesson().title) : shownTitle(document_);
+  setWindowTitle(tr("%1[*] – Flatland").arg(shown));
+  setWindowModified(lesson_.hasUnsavedWork() || lesson_.hasEdits());
 }
 
 void MainWindow::showKeys() {

@@ -127,10 +127,7 @@ void SurfaceController::openNeighbour(int step) {
   openFile(dir.filePath(names[(place + step + count) % count]));
 }
 
-void SurfaceController::close() {
-  models_.document.push(
-      std::make_unique<SetSurface>(models_.document, std::nullopt, tr("close surface")));
-}
+void SurfaceController::close() { models_.source.close(); }
 
 void SurfaceController::exportPicture(const QSize& panel) {
   if (!models_.source.surface()) return;

@@ -7,6 +7,7 @@
 #include "flatland/features/orientation.h"
 #include "ui/commands/command_ids.h"
 #include "ui/commands/scene_commands.h"
+#include "ui/model/unsaved_work.h"
 
 namespace flatland::ui {
 
@@ -71,10 +72,15 @@ bool LessonModel::onlyStepsSince(const Own& own) const {
 
 bool LessonModel::hasUnsavedWork() const {
   if (!lesson_) return document_.isModified();
-  return document_.undoStack().cleanIndex() != own_->undoIndex;
+  return document_.isUnsaved(own_->scene, own_->undoIndex);
 }
 
-bool LessonModel::hasEdits() const { return lesson_ && !onlyStepsSince(*own_); }
+bool LessonModel::hasEdits() const {
+  if (!lesson_ || onlyStepsSince(*own_)) return false;
+  Scene asTaught = isUndone_ ? own_->scene : sceneOfStep();
+  asTaught.view = document_.scene().view;
+  return unsavedWork(document_.scene(), asTaught).any();
+}
 
 void LessonModel::leave() {
   if (!lesson_) return;
@@ -123,12 +129,18 @@ std::optional<int> LessonModel::stopAfter(int index) const {
   return std::nullopt;
 }
 
+Scene LessonModel::sceneOfStep() const {
+  const LessonState& state = step().state;
+  Scene scene = state.scene ? *state.scene : own_->scene;
+  if (state.viewAngleDeg) scene.view.angleDeg = normalizedDeg(*state.viewAngleDeg);
+  if (state.camera && scene.surface) scene.surface->camera.towards = *state.camera;
+  return scene;
+}
+
 void LessonModel::apply(bool keepScene) {
   const LessonState& state = step().state;
   if (!keepScene) {
-    Scene scene = state.scene ? *state.scene : own_->scene;
-    if (state.viewAngleDeg) scene.view.angleDeg = normalizedDeg(*state.viewAngleDeg);
-    if (state.camera && scene.surface) scene.surface->camera.towards = *state.camera;
+    Scene scene = sceneOfStep();
     if (!(document_.scene() == scene)) {
       showing_ = true;  // the stack counts the command only after it was done
       document_.push(std::make_unique<ShowLessonStep>(

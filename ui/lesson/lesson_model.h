@@ -31,7 +31,9 @@ class LessonModel : public QObject {
 
   /// Whether the person's own scene, which comes back when the lesson is left, is unsaved.
   bool hasUnsavedWork() const;
-  /// Whether a lesson is open and its scene was changed by more than going from step to step.
+  const Scene& ownScene() const { return own_ ? own_->scene : document_.scene(); }
+  /// Whether a lesson is open and there is work in the scene of its step that would be lost; where
+  /// it is looked at from is none.
   bool hasEdits() const;
 
   bool isOpen() const { return lesson_.has_value(); }
@@ -88,6 +90,7 @@ class LessonModel : public QObject {
     int undoIndex;
   };
 
+  Scene sceneOfStep() const;
   void apply(bool keepScene);
   void showSettings();
   void askForPanels();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "flatland/io/scene_json.h"
+#include "ui/model/unsaved_work.h"
 
 namespace flatland::ui {
 
@@ -25,7 +26,11 @@ std::optional<std::size_t> CurveShift::after(std::size_t before) const {
 }
 
 Document::Document(Scene scene, const QString& originName, QObject* parent)
-    : QObject(parent), scene_(std::move(scene)), origin_(scene_), originName_(originName) {}
+    : QObject(parent),
+      scene_(std::move(scene)),
+      origin_(scene_),
+      saved_(scene_),
+      originName_(originName) {}
 
 const FeatureSet& Document::features() const {
   if (!features_) {
@@ -59,6 +64,7 @@ void Document::open(const std::filesystem::path& file) {
 
 void Document::save(const std::filesystem::path& file) {
   saveScene(scene_, file);
+  saved_ = scene_;
   undoStack_.setClean();
   if (file_ == file) return;
   file_ = file;
@@ -67,7 +73,7 @@ void Document::save(const std::filesystem::path& file) {
 
 void Document::replace(Scene scene, const QString& originName, std::filesystem::path file) {
   scene_ = std::move(scene);
-  origin_ = scene_;
+  origin_ = saved_ = scene_;
   originName_ = originName;
   file_ = std::move(file);
   undoStack_.clear();
@@ -85,10 +91,9 @@ void Document::push(std::unique_ptr<QUndoCommand> command) {
   if (!command->isObsolete()) undoStack_.push(command.release());
 }
 
-void Document::pushLook(std::unique_ptr<QUndoCommand> command) {
-  const bool nothingToSave = file_.empty() && undoStack_.isClean();
-  push(std::move(command));
-  if (nothingToSave) undoStack_.setClean();
+bool Document::isUnsaved(const Scene& scene, int undoIndex) const {
+  if (undoIndex == undoStack_.cleanIndex()) return false;
+  return !file_.empty() || unsavedWork(scene, saved_).any();
 }
 
 void Document::swapCurves(std::vector<SceneCurve>& curves) {

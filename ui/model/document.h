@@ -70,11 +70,13 @@ class Document : public QObject {
   int featureComputations() const { return featureComputations_; }
 
   QUndoStack& undoStack() { return undoStack_; }
-  /// True if something would be lost. A scene that never had a file and is as it was started is
-  /// not.
-  bool isModified() const {
-    return !undoStack_.isClean() && !(file_.empty() && undoStack_.index() == 0);
-  }
+  /// True if something would be lost: a file is not up to date, or a scene that never had one has
+  /// work in it (unsaved_work.h).
+  bool isModified() const { return isUnsaved(scene_, undoStack_.index()); }
+  /// The same for the scene there was at another place of the undo stack.
+  bool isUnsaved(const Scene& scene, int undoIndex) const;
+  /// The scene as it was started, opened or last saved.
+  const Scene& saved() const { return saved_; }
 
   /// Does a command: the one way to edit. One that is obsolete from the start, because it would
   /// change nothing, is dropped without a trace: no signal, and what was undone can still be
@@ -99,10 +101,6 @@ class Document : public QObject {
   /// Saves atomically and takes on the file's name. Throws InputError, and then nothing has
   /// changed.
   void save(const std::filesystem::path& file);
-
-  /// Pushes a step that only brings something to look at, as opening a mesh does: where there is no
-  /// file to bring up to date, and nothing else that is not saved, it is no reason to save.
-  void pushLook(std::unique_ptr<QUndoCommand> command);
 
   /// A number no other gesture of this document has; commands with the same one become one step.
   int newGesture() { return ++lastGesture_; }
@@ -139,6 +137,7 @@ class Document : public QObject {
 
   Scene scene_;
   Scene origin_;
+  Scene saved_;
   QString originName_;
   QUndoStack undoStack_;
   std::filesystem::path file_;

@@ -52,6 +52,13 @@ void SurfaceSource::setActive(bool active) {
 
 void SurfaceSource::open(const QString& reference) { start(reference.toStdString(), true); }
 
+void SurfaceSource::close() {
+  if (!document_.scene().surface) return;
+  closedLook_ = *document_.scene().surface;
+  if (isSwept(document_.scene())) closedLook_ = withUsualRidges(closedLook_);
+  document_.push(std::make_unique<SetSurface>(document_, std::nullopt, tr("close surface")));
+}
+
 void SurfaceSource::cancel() {
   givenUp_ = true;
   if (opening_.isRunning()) return opening_.cancel();
@@ -200,14 +207,14 @@ void SurfaceSource::show(const std::shared_ptr<const LoadedSurface>& surface, bo
   surface_ = surface;
   wanted_ = surface->reference;
   if (isNew) {
-    SurfaceSetting setting = document_.scene().surface.value_or(SurfaceSetting{});
+    SurfaceSetting setting = document_.scene().surface.value_or(closedLook_);
     if (isSwept(document_.scene())) setting = withUsualRidges(std::move(setting));
     setting.mesh = surface->reference;
     setting = withCamera(std::move(setting), homeCamera(upAxisOf(setting)));
     setting.savedCameras.clear();
     setting.swept.reset();
     setting.plane.reset();
-    document_.pushLook(std::make_unique<SetSurface>(
+    document_.push(std::make_unique<SetSurface>(
         document_, std::move(setting),
         tr("open %1").arg(QString::fromStdString(surfaceName(surface->reference)))));
     emit opened(QString::fromStdString(surface->reference));

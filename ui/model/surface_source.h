@@ -28,8 +28,10 @@ class SurfaceSource : public QObject {
   /// Reads a mesh file, or makes a solid ("solid:torus"), and puts it beside the curves: one undo
   /// step, done when it has been read. If it cannot be read, failed() tells why and nothing
   /// changes, and nothing comes of it if another scene is opened meanwhile. A surface that is there
-  /// lends its families and style to the next one.
+  /// lends its families and style to the next one, and so does the one that was closed last.
   void open(const QString& reference);
+  /// Takes the surface, if there is one, out of the scene: one undo step.
+  void close();
 
   /// Gives up reading, or else estimating: what there was before stays. That is not begun again
   /// before something else is asked for (another mesh, another scale), or goOn().
@@ -76,6 +78,7 @@ class SurfaceSource : public QObject {
   std::string wanted_;           ///< reference of the last start; of one that failed too
   std::string unreadable_;       ///< the scene's own, which failed and was told of
   std::optional<double> scale_;  ///< of the last estimate for surface_, done or not
+  SurfaceSetting closedLook_;    ///< how the surface looked that was closed last
   bool active_ = false;
   bool opensNew_ = false;  ///< opening_ reads what is not in the scene yet
   bool givenUp_ = false;   ///< since then nothing was begun

@@ -3735,6 +3735,41 @@
     </message>
 </context>
 <context>
+    <name>UnsavedWork</name>
+    <message>
+        <source>the curves as you changed them</source>
+        <translation>die Kurven, wie Sie sie geändert haben</translation>
+    </message>
+    <message>
+        <source>from where the curves are seen</source>
+        <translation>von wo die Kurven gesehen werden</translation>
+    </message>
+    <message>
+        <source>the surface made of a curve</source>
+        <translation>die Fläche, die aus einer Kurve gemacht ist</translation>
+    </message>
+    <message>
+        <source>how its lines are set</source>
+        <translation>wie ihre Linien eingestellt sind</translation>
+    </message>
+    <message>
+        <source>thresholds, colours and widths of the lines of %1</source>
+        <translation>Schwellen, Farben und Breiten der Linien von %1</translation>
+    </message>
+    <message>
+        <source>the cameras you kept</source>
+        <translation>die Kameras, die Sie behalten haben</translation>
+    </message>
+    <message>
+        <source>how it is shown</source>
+        <translation>wie sie gezeigt wird</translation>
+    </message>
+    <message>
+        <source>how %1 is shown</source>
+        <translation>wie %1 gezeigt wird</translation>
+    </message>
+</context>
+<context>
     <name>ViewMenu</name>
     <message>
         <source>&amp;Fit</source>
@@ -4571,10 +4606,6 @@
         <translation>Die Änderungen an %1 speichern?</translation>
     </message>
     <message>
-        <source>They are lost otherwise.</source>
-        <translation>Sonst gehen sie verloren.</translation>
-    </message>
-    <message>
         <source>scene</source>
         <translation>szene</translation>
     </message>
@@ -4610,6 +4641,14 @@
         <source>%1 – %2</source>
         <comment>scene, mesh</comment>
         <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Save this scene?</source>
+        <translation>Diese Szene speichern?</translation>
+    </message>
+    <message>
+        <source>Lost otherwise: %1.</source>
+        <translation>Sonst verloren: %1.</translation>
     </message>
 </context>
 <context>
@@ -6366,10 +6405,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
         <translation>In diesem Ordner ist kein Netz mehr.</translation>
     </message>
     <message>
-        <source>close surface</source>
-        <translation>Fläche schließen</translation>
-    </message>
-    <message>
         <source>Export surface</source>
         <translation>Fläche exportieren</translation>
     </message>
@@ -6715,6 +6750,10 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>open %1</source>
         <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>close surface</source>
+        <translation>Fläche schließen</translation>
     </message>
 </context>
 <context>
