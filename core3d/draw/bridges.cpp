@@ -2,6 +2,7 @@
 #include "core3d/draw/bridges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <tuple>
@@ -35,7 +36,8 @@ constexpr End kNoEnd = static_cast<End>(-1);
 struct Tip {
   Vector2d screen, outward;
   Vector3d at;
-  double length;  // of the chain
+  double length;        // of the chain
+  std::uint32_t level;  // likewise
 };
 
 // The place on the screen, so far back from an end.
@@ -52,7 +54,7 @@ Tip tipOf(const ScreenChain& line, bool last) {
   const std::size_t tip = last ? line.screen.size() - 1 : 0;
   const Vector2d from = seenBehind(line, last, std::min(kDirectionPx, length));
   return {line.screen[tip], (line.screen[tip] - from).stableNormalized(),
-          line.chain.points[tip].cast<double>(), length};
+          line.chain.points[tip].cast<double>(), length, line.chain.level};
 }
 
 // An open line without so much of its ends.
@@ -91,15 +93,14 @@ class Bridges {
       for (const bool last : {false, true}) {
         tips_.push_back(line.chain.closed ? Tip{} : tipOf(line, last));
         if (line.chain.closed) continue;
-        const Vector2d& at = tips_.back().screen;
-        places_.push_back({cellOf(at), at, tips_.size() - 1});
+        const Tip& tip = tips_.back();
+        places_.push_back({cellOf(tip.screen), tip.screen, tip.outward, tips_.size() - 1});
       }
     }
     std::sort(places_.begin(), places_.end(), [](const Place& p, const Place& q) {
       return std::tie(p.cell, p.end) < std::tie(q.cell, q.end);
     });
-    std::vector<std::tuple<double, End, End>> candidates;
-    for (const Place& place : places_) addCandidates(place, candidates);
+    std::vector<Candidate> candidates = candidatesOf();
     std::sort(candidates.begin(), candidates.end());
     for (const auto& [cost, e, f] : candidates) {
       if (partner_[e] != kNoEnd || partner_[f] != kNoEnd) continue;
@@ -135,31 +136,46 @@ class Bridges {
   using Cell = std::pair<std::int64_t, std::int64_t>;
   struct Place {
     Cell cell;
-    Vector2d screen;
+    Vector2d screen, outward;
     End end;
   };
+  using Candidate = std::tuple<double, End, End>;  // cost, the smaller end, the other
 
   double overlap() const { return kOverlapTimes * gap_; }
-  double cell() const { return overlap() + kBesidePx; }
+  // Of cells as wide as half of how far is looked, the farthest that is looked into.
+  static constexpr std::int64_t kCells = 2;
+  double cell() const { return std::sqrt(reach2_) / kCells; }
   Cell cellOf(const Vector2d& p) const {
     return {static_cast<std::int64_t>(std::floor(p.x() / cell())),
             static_cast<std::int64_t>(std::floor(p.y() / cell()))};
   }
 
-  void addCandidates(const Place& place,
-                     std::vector<std::tuple<double, End, End>>& candidates) const {
-    const auto& [x, y] = place.cell;
-    for (std::int64_t column = x - 1; column <= x + 1; ++column) {
-      auto near = std::lower_bound(places_.begin(), places_.end(), Cell{column, y - 1},
-                                   [](const Place& p, const Cell& cell) { return p.cell < cell; });
-      for (; near != places_.end() && near->cell <= Cell{column, y + 1}; ++near) {
-        // Most pairs are too far apart.
-        if (near->end <= place.end || (near->screen - place.screen).squaredNorm() > reach2_)
-          continue;
-        const double cost = costOf(place.end, near->end);
-        if (cost >= 0.0) candidates.emplace_back(cost, place.end, near->end);
+  // Pairs of ends that belong together. Each pair is looked at once, from the end that comes first
+  // by cell; then what is near lies in its own column of cells and those to the right, between
+  // bounds that only move on.
+  std::vector<Candidate> candidatesOf() const {
+    std::vector<Candidate> candidates;
+    std::array<std::size_t, kCells + 1> first{}, last{};  // of each column
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Place& place = places_[i];
+      const auto& [x, y] = place.cell;
+      for (std::int64_t column = 0; column <= kCells; ++column) {
+        std::size_t &from = first[column], &to = last[column];
+        while (from < places_.size() && places_[from].cell < Cell{x + column, y - kCells}) ++from;
+        to = std::max(from, to);
+        while (to < places_.size() && places_[to].cell <= Cell{x + column, y + kCells}) ++to;
+        for (std::size_t k = std::max(from, i + 1); k < to; ++k) {
+          const Place& near = places_[k];
+          // Most pairs are too far apart, or point elsewhere.
+          if ((near.screen - place.screen).squaredNorm() > reach2_) continue;
+          if (-near.outward.dot(place.outward) < kLeastTurnCosine) continue;
+          const auto [e, f] = std::minmax(place.end, near.end);
+          const double cost = costOf(e, f);
+          if (cost >= 0.0) candidates.emplace_back(cost, e, f);
+        }
       }
     }
+    return candidates;
   }
 
   // How far an end lies ahead of another, and how far beside.
@@ -185,29 +201,31 @@ class Bridges {
     return (behind - tips_[e].screen).norm() <= kBesidePx;
   }
 
-  // Negative if the ends do not belong together.
+  // Of ends that point towards each other; negative if they do not belong together.
   double costOf(End e, End f) const {
     const Tip &a = tips_[e], &b = tips_[f];
     const double turn = -a.outward.dot(b.outward);
-    if (turn < kLeastTurnCosine) return -1.0;
     const double size = (b.screen - a.screen).norm(), shorter = std::min(a.length, b.length);
-    if (lines_[e / 2].chain.level != lines_[f / 2].chain.level) return -1.0;
+    if (a.level != b.level) return -1.0;
     // Its own ends: only if that makes a loop and not a hairpin.
     if (e / 2 == f / 2 && (lines_[e / 2].screen.size() < 3 || a.length < 4.0 * gap_)) return -1.0;
-    if ((b.at - a.at).norm() * pxPerUnit_ > kMostSlant * std::max(size, kNoGapPx)) return -1.0;
     const Vector2d gap = b.screen - a.screen;
-    if (size <= std::min(gap_, shorter) &&
-        (size <= kNoGapPx || (a.outward.dot(gap) >= kLeastCosine * size &&
-                              -b.outward.dot(gap) >= kLeastCosine * size))) {
-      return size * (2.0 - turn);
-    }
-    const Gap g = gapOf(e, f);
-    if (g.beside > kBesidePx || g.ahead > g.beside || -g.ahead > overlap()) return -1.0;
-    // Half of a line is its other end's.
-    if (cutFor(e, f) > shorter / 2.0) return -1.0;
-    const double common = std::max(0.0, -g.ahead);
-    if (!runsBeside(e, f, common) || !runsBeside(f, e, common)) return -1.0;
+    const bool isAhead = size <= std::min(gap_, shorter) &&
+                         (size <= kNoGapPx || (a.outward.dot(gap) >= kLeastCosine * size &&
+                                               -b.outward.dot(gap) >= kLeastCosine * size));
+    if (!isAhead && !takesOver(e, f, shorter)) return -1.0;
+    if ((b.at - a.at).norm() * pxPerUnit_ > kMostSlant * std::max(size, kNoGapPx)) return -1.0;
     return size * (2.0 - turn);
+  }
+
+  // True if one line goes on beside the end of the other.
+  bool takesOver(End e, End f, double shorter) const {
+    const Gap g = gapOf(e, f);
+    if (g.beside > kBesidePx || g.ahead > g.beside || -g.ahead > overlap()) return false;
+    // Half of a line is its other end's.
+    if (cutFor(e, f) > shorter / 2.0) return false;
+    const double common = std::max(0.0, -g.ahead);
+    return runsBeside(e, f, common) && runsBeside(f, e, common);
   }
 
   LineChain walk(End start, std::vector<bool>& used) const {
