@@ -14,6 +14,16 @@ std::optional<double> SurfaceTerms::offsetShare() const {
   return std::abs(offset / feature);
 }
 
+SurfaceTerms SurfaceTerms::towardsGrowth() const {
+  SurfaceTerms turned = *this;
+  if (feature + offset + perspective >= 0.0) return turned;
+  turned.feature = -feature;
+  turned.offset = -offset;
+  turned.perspective = -perspective;
+  turned.r = -r;
+  return turned;
+}
+
 std::optional<SurfaceTerms> termsAt(const TriangleMesh& mesh, const SurfaceFields& fields,
                                     const SurfaceView& view, std::uint32_t vertex) {
   const SurfacePoint point = fields.at(mesh, vertex);

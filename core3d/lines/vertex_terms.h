@@ -25,6 +25,11 @@ struct SurfaceTerms {
   Eigen::Vector3d r =
       Eigen::Vector3d::Zero();  ///< tangent, projects to t_A; coordinates of the mesh
 
+  /// The same with r turned to where lambda grows, so that the sum of the terms is >= 0: what is
+  /// positive makes lambda grow, what is negative works against it. The choice of r itself has no
+  /// meaning, and from vertex to vertex no order.
+  SurfaceTerms towardsGrowth() const;
+
   /// |offset| / |feature|; empty where both vanish, infinite where only the feature term does.
   std::optional<double> offsetShare() const;
 };

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "core3d/diff/exact_fields.h"
 #include "core3d/mesh/build_mesh.h"
@@ -85,6 +88,44 @@ TEST(VertexTerms, TheSumIsHalfTheDerivativeOfLambdaAlongR) {
     EXPECT_DOUBLE_EQ(*terms->offsetShare(), std::abs(terms->offset / terms->feature));
   }
   EXPECT_GT(compared, 100);
+}
+
+// The direction of largest lambda has no sign of its own, so terms taken with any sign jump between
+// neighbours. Turned to where lambda grows, they may jump only where it stops growing: where the
+// sum of the terms passes through 0.
+TEST(VertexTerms, TowardsGrowthTheTermsJumpOnlyWhereTheirSumIsZero) {
+  const Case c = caseOf({SolidKind::Torus, 1.0, 0.4}, 200);
+  SurfaceView view;
+  view.towards = Eigen::Vector3d(0.3, -0.5, 0.8).normalized();
+  std::vector<std::optional<SurfaceTerms>> as, growing;
+  for (std::uint32_t v = 0; v < c.mesh.vertexCount(); ++v) {
+    as.push_back(termsAt(c.mesh, c.fields, view, v));
+    growing.push_back(as.back() ? std::optional(as.back()->towardsGrowth()) : std::nullopt);
+  }
+  const auto sum = [](const SurfaceTerms& t) { return t.feature + t.offset + t.perspective; };
+  // Neighbours that look alike but for the sign of the offset term, far from a ridge.
+  const auto jumps = [&](const std::vector<std::optional<SurfaceTerms>>& terms) {
+    int count = 0;
+    for (const auto& t : c.mesh.triangles) {
+      const auto &a = terms[t[0]], &b = terms[t[1]];
+      if (!a || !b || std::min(std::abs(a->nw), std::abs(b->nw)) < 0.4) continue;
+      const double least = std::min(std::abs(sum(*a)), std::abs(sum(*b)));
+      const double between = std::abs(std::abs(sum(*a)) - std::abs(sum(*b)));
+      const bool nearRidge = least < 4.0 * between + 1e-3;
+      const bool turned = std::abs(a->offset + b->offset) < std::abs(a->offset - b->offset) / 4.0;
+      if (!nearRidge && turned && std::abs(a->offset) > 0.1) ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(jumps(growing), 0);
+  EXPECT_GT(jumps(as), 10) << "or this test sees nothing";
+  for (std::size_t v = 0; v < as.size(); ++v) {
+    if (!as[v]) continue;
+    const SurfaceTerms &was = *as[v], &is = *growing[v];
+    EXPECT_GE(sum(is), 0.0);
+    EXPECT_EQ(is.offsetShare(), was.offsetShare());
+    EXPECT_EQ(is.feature, is.r.dot(was.r) < 0.0 ? -was.feature : was.feature);
+  }
 }
 
 }  // namespace

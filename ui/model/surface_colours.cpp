@@ -64,9 +64,9 @@ double valueOf(const SurfaceTerms& terms, SurfaceQuantity quantity) {
     case SurfaceQuantity::Lambda:
       return terms.lambda ? std::log10(std::max(*terms.lambda, kLeastLambda)) : kNone;
     case SurfaceQuantity::Feature:
-      return terms.lambda ? terms.feature : kNone;
+      return terms.lambda ? terms.towardsGrowth().feature : kNone;
     case SurfaceQuantity::Offset:
-      return terms.lambda ? terms.offset : kNone;
+      return terms.lambda ? terms.towardsGrowth().offset : kNone;
     case SurfaceQuantity::OffsetShare:
       break;
   }

@@ -20,7 +20,9 @@ std::optional<SurfaceReading> readingAt(const LoadedSurface& surface, const Proj
   reading.fileVertex = mesh.fileVertex[reading.vertex];
   reading.inFile = mesh.origin + mesh.unit * hit->at;
   if (surface.fields) {
-    reading.terms = termsAt(mesh, *surface.fields, view, reading.vertex);
+    if (const auto terms = termsAt(mesh, *surface.fields, view, reading.vertex)) {
+      reading.terms = terms->towardsGrowth();
+    }
   }
   return reading;
 }

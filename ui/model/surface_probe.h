@@ -16,7 +16,8 @@ struct SurfaceReading {
   std::uint32_t vertex;               ///< of the mesh
   std::uint32_t fileVertex;           ///< the same in the file, from 0
   Eigen::Vector3d inFile;             ///< the place in the file's coordinates
-  std::optional<SurfaceTerms> terms;  ///< empty before fields are there, or without a normal
+  /// Towards growing lambda; empty before fields are there, or without a normal.
+  std::optional<SurfaceTerms> terms;
 };
 
 /// The place of the surface under a pixel; nothing where the background is seen.

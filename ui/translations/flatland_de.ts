@@ -6521,14 +6521,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
         <translation>λ, blickabhängige Krümmung</translation>
     </message>
     <message>
-        <source>Feature term</source>
-        <translation>Merkmalsterm</translation>
-    </message>
-    <message>
-        <source>Offset term</source>
-        <translation>Versatzterm</translation>
-    </message>
-    <message>
         <source>|Offset| / |feature|</source>
         <translation>|Versatz| / |Merkmal|</translation>
     </message>
@@ -6563,6 +6555,14 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>|offset| / |feature| %1</source>
         <translation>|Versatz| / |Merkmal| %1</translation>
+    </message>
+    <message>
+        <source>Feature term, towards larger λ</source>
+        <translation>Merkmalsterm, zu größerem λ hin</translation>
+    </message>
+    <message>
+        <source>Offset term, towards larger λ</source>
+        <translation>Versatzterm, zu größerem λ hin</translation>
     </message>
 </context>
 <context>

@@ -47,9 +47,9 @@ QString quantityWords(SurfaceQuantity quantity) {
     case SurfaceQuantity::Lambda:
       return SurfaceOverlay::tr("λ, view-dependent curvature");
     case SurfaceQuantity::Feature:
-      return SurfaceOverlay::tr("Feature term");
+      return SurfaceOverlay::tr("Feature term, towards larger λ");
     case SurfaceQuantity::Offset:
-      return SurfaceOverlay::tr("Offset term");
+      return SurfaceOverlay::tr("Offset term, towards larger λ");
     case SurfaceQuantity::OffsetShare:
       break;
   }
