@@ -68,6 +68,32 @@ class SurfaceLookTest : public QObject {
   }
   void cleanup() { driver_.reset(); }
 
+  /// While the camera moves the far side of what is closed is left out, and never what is seen.
+  void aPictureInMotionIsTheSame_data() {
+    QTest::addColumn<QString>("solid");
+    for (const char* solid : {"torus:60", "saddle:40", "cylinder:40"})
+      QTest::newRow(solid) << solid;
+  }
+  void aPictureInMotionIsTheSame() {
+    if (!GlCanvas::possible()) QSKIP("no OpenGL");
+    QFETCH(QString, solid);
+    driver_->window().surfaces().openSolid(solid);
+    QVERIFY(driver_->surfaceQuiet());
+    withoutLines();
+    for (const double tilt : {0.5, -0.6}) {
+      for (const bool perspective : {false, true}) {
+        SurfaceCamera camera = driver_->scene().surface->camera;
+        camera.towards = Eigen::Vector3d(0.3, tilt, 0.5).normalized();
+        if (perspective) camera.perspectiveDeg = 60.0;
+        driver_->document().setCamera(camera);
+        const QImage moving = canvas().grab().toImage();  // at once
+        const SurfacePicture picture = pictureOf(driver_->window().surfaceModels());
+        const double apart = difference(moving, paintSurface(picture, canvas().size()));
+        QVERIFY2(apart < 2.5, qPrintable(QString::number(apart)));
+      }
+    }
+  }
+
   /// Told once; from then on the surface is painted, and can be turned as before.
   void whenOpenGlFailsThePainterGoesOn() {
     if (!GlCanvas::possible()) QSKIP("no OpenGL");

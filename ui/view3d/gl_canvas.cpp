@@ -147,7 +147,7 @@ void GlCanvas::draw(const QSize& pixels) {
   const bool smooth = !(software && rest_.isActive()) && fine_->isValid();
   (smooth ? fine_ : plain_)->bind();
   const int scale = smooth ? factor : 1;
-  painter_->paint(pictureOf(models_), scale * pixels, scale * ratio);
+  painter_->paint(pictureOf(models_), scale * pixels, scale * ratio, rest_.isActive());
   // Where it is larger, each pixel becomes the mean of four.
   if (smooth) {
     QOpenGLFramebufferObject::blitFramebuffer(plain_.get(), QRect({}, pixels), fine_.get(),

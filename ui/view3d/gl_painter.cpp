@@ -56,6 +56,8 @@ void GlPainter::sendMesh(const SurfacePicture& picture) {
   const LoadedSurface& surface = *picture.surface;
   if (mesh_ == surface.mesh) return;
   mesh_ = surface.mesh;
+  isClosed_ = std::all_of(mesh_->opposite.begin(), mesh_->opposite.end(),
+                          [](std::uint32_t other) { return other < TriangleMesh::kCut; });
   coloured_.reset();
   std::vector<Eigen::Vector3f> places;
   places.reserve(mesh_->vertexCount());
@@ -200,7 +202,8 @@ void GlPainter::paintLines(const SurfacePicture& picture, const QSize& pixels, d
   }
 }
 
-void GlPainter::paint(const SurfacePicture& picture, const QSize& pixels, double pixelRatio) {
+void GlPainter::paint(const SurfacePicture& picture, const QSize& pixels, double pixelRatio,
+                      bool inMotion) {
   const ShadingColours shading = shadingColours(picture.palette);
   glViewport(0, 0, pixels.width(), pixels.height());
   glClearColor(shading.background[0], shading.background[1], shading.background[2], 1.0f);
@@ -223,12 +226,16 @@ void GlPainter::paint(const SurfacePicture& picture, const QSize& pixels, double
 
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
+  // What is turned away lies behind what is not, unless the surface passes through itself: then a
+  // picture that is gone in a moment is a little wrong. Near a viewer the front may be cut away.
+  const bool culls = inMotion && isClosed_ && !projection.distance;
+  if (culls) glEnable(GL_CULL_FACE);
   glDepthFunc(GL_LESS);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kStepBackPx * static_cast<float>(pixelRatio), 0.0f);
   paintMesh(picture);
   glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_CULL_FACE);
   // Lines hide nothing.
   sendMarks(picture);
   glDepthMask(GL_FALSE);
