@@ -71,8 +71,11 @@ class LessonTest : public QObject {
         auto& values = d.child<QLabel>("lesson.values");
         QVERIFY(values.text().contains("left − right"));
         d.settle();
-        QVERIFY2(values.sizeHint().height() < 5 * values.fontMetrics().lineSpacing(),
-                 lesson.step().title.c_str());  // nothing wraps out of the strip
+        // Nothing wraps out of the strip, and the words have their room.
+        QVERIFY2(values.heightForWidth(values.width()) <= values.height() &&
+                     values.minimumSizeHint().width() <= values.width(),
+                 lesson.step().title.c_str());
+        QVERIFY(d.child<QWidget>("lesson.words").width() >= 200);
       }
     }
   }
@@ -209,6 +212,30 @@ class LessonTest : public QObject {
       }
       QCOMPARE(d.window().display().showsPrintedRoots(), i == 14);
     }
+  }
+
+  void twoSilhouettesMeetAtTheInflectionAsTheLessonSays() {
+    WindowDriver& d = *driver_;
+    d.trigger("lesson.shipped.silhouette");
+    d.window().lesson().goTo(3);
+    const auto silhouettes = [&d] {
+      std::vector<double> at;
+      for (const Mark& mark : d.document().features().marks) {
+        if (mark.kind == MarkKind::Silhouette) at.push_back(mark.t);
+      }
+      return at;
+    };
+    double apart = 1.0;  // of the parameter, in [0, 1]
+    View view = d.scene().view;
+    while (silhouettes().size() == 2) {
+      QVERIFY(silhouettes()[0] < 0.5 && silhouettes()[1] > 0.5);
+      QVERIFY(silhouettes()[1] - silhouettes()[0] < apart);
+      apart = silhouettes()[1] - silhouettes()[0];
+      view.angleDeg += 0.25;
+      d.document().setView(view);
+    }
+    QVERIFY(apart < 0.1 && silhouettes().empty());
+    QVERIFY(view.angleDeg > 110.0 && view.angleDeg < 140.0);
   }
 
   void aLessonKnowsThePanelsOfTheWindow() {

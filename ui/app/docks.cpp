@@ -173,7 +173,9 @@ void Docks::showWithHeight(const char* id, int height) {
   show(id);
   for (QDockWidget* dock : all_) {
     if (dock->objectName() != QLatin1String(id) || dock->isFloating()) continue;
-    const int row = height + dock->titleBarWidget()->sizeHint().height();
+    const int title = dock->titleBarWidget()->sizeHint().height();
+    const int row =
+        height + title + (window_.tabifiedDockWidgets(dock).isEmpty() ? 0 : kTabsHeight);
     window_.resizeDocks({dock}, {qMin(row, window_.height() * 9 / 20)}, Qt::Vertical);
   }
 }

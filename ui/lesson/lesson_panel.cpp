@@ -114,6 +114,7 @@ QLayout* LessonPanel::buildEquation() {
   values_->setToolTip(
       tr("The values of both sides at the probe, and their difference from the digits shown"));
   values_->setTextFormat(Qt::RichText);
+  values_->setWordWrap(true);  // else it takes the room of the words
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(values_);
   auto* row = new QHBoxLayout;
@@ -225,7 +226,6 @@ void LessonPanel::showValues() {
   if (!equation) return;
   showMisses();
   const QString values = valuesForPeople(textOf(*equation), lesson_.reading(), lesson_.isPrinted());
-  values_->setWordWrap(!values.startsWith("<table"));
   values_->setText(values);
   const std::string_view step = textOf(*equation).step;
   plot_->show(lesson_.sweep(), QString::fromUtf8(step.data(), static_cast<qsizetype>(step.size())));

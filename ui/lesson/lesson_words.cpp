@@ -18,6 +18,7 @@ struct Words {
 constexpr int kDigits = 6;
 constexpr int kMatrixDigits = 3;  ///< so that four numbers stand on one line of the strip
 constexpr int kMissDigits = 2;
+constexpr double kLeastPercent = 0.1;  ///< with one digit behind the point
 constexpr qsizetype kMostLines = 12;
 constexpr double kAgreement = 1e-12;  ///< residuals of rounding lie far below, misprints far above
 
@@ -83,7 +84,9 @@ QString differenceText(const StepSides& sides, const ShownSides& shown) {
   // Where digits that are not shown make the difference, the exact one.
   const bool isSeen = shown.difference != 0.0;
   const double share = isSeen ? std::abs(shown.difference) / shown.reach : sides.apart;
-  const QString percent = QString::number(100.0 * share, isSeen ? 'f' : 'g', 1);
+  const double hundredths = 100.0 * share;
+  const QString percent = hundredths < kLeastPercent ? numberForPeople(hundredths, 2)
+                                                     : QString::number(hundredths, 'f', 1);
   const bool isNumber = sides.left.count() == 1;
   const QString number = numberForPeople(isSeen ? shown.difference : shown.exact,
                                          isNumber ? kDigits : kMatrixDigits + 1);

@@ -15,10 +15,12 @@ namespace {
 
 constexpr double kSmallest = 1e-18;  ///< exact agreement is drawn here: a log axis has no zero
 
+constexpr double kDecades = 1e4;  ///< a label every four decades: the plot is small
+
 void makeLogarithmic(QCPAxis& axis) {
   axis.setScaleType(QCPAxis::stLogarithmic);
   const auto ticker = QSharedPointer<QCPAxisTickerLog>::create();
-  ticker->setLogBase(1e4);  // a label every four decades: the plot is small
+  ticker->setLogBase(kDecades);
   ticker->setSubTickCount(0);
   axis.setTicker(ticker);
   axis.setNumberFormat("eb");
@@ -75,6 +77,15 @@ void StepSizePlot::show(const std::vector<StepDifference>& sweep, const QString&
                        "Large steps: truncation, slope 2. Small steps: rounding, slope −1.")
                         .arg(stepName));
   plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void StepSizePlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  // Labels of large type need room; beside them are those of the other axis.
+  constexpr int kLabels = 4;
+  const bool fits = width() > kLabels * fontMetrics().horizontalAdvance(QStringLiteral("10-12 "));
+  const auto ticker = plot_->xAxis->ticker().dynamicCast<QCPAxisTickerLog>();
+  ticker->setLogBase(fits ? kDecades : kDecades * kDecades);
 }
 
 void StepSizePlot::changeEvent(QEvent* event) {
