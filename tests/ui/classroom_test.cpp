@@ -348,6 +348,28 @@ class ClassroomTest : public QObject {
     QVERIFY(driver.window().statusBar()->currentMessage().contains("exchange names"));
   }
 
+  void theStatusLineSaysOneThingAtATimeAndNothingOfNoCurves() {
+    WindowDriver driver;
+    QStatusBar& bar = *driver.window().statusBar();
+    const auto field = [&bar](const char* name) { return bar.findChild<QWidget*>(name); };
+    // What is said while the bar is not there covers the hint all the same.
+    bar.hide();
+    bar.showMessage("said");
+    bar.show();
+    QVERIFY(!field("status.hint")->isVisible());
+    bar.clearMessage();
+    QVERIFY(field("status.hint")->isVisible());
+    for (const char* name : {"status.view", "status.marks", "status.time"}) {
+      QVERIFY(field(name)->isVisible());
+    }
+    Scene empty = driver.document().scene();
+    empty.curves.clear();
+    driver.document().start(empty, "empty");
+    for (const char* name : {"status.view", "status.marks", "status.time"}) {
+      QVERIFY(!field(name)->isVisible());
+    }
+  }
+
   void theFieldOfTheMarksListsWhatIsOpen() {
     WindowDriver driver;
     auto& field = driver.child<QToolButton>("status.marks");

@@ -27,6 +27,10 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document)
     : QObject(&bar), bar_(bar), document_(document), hint_(new ElidedLabel(&bar)) {
   hint_->setObjectName("status.hint");
   bar.addWidget(hint_, 1);
+  // The bar itself hides only what is visible at that moment: what is said before it is shown would
+  // stand across the hint.
+  connect(&bar, &QStatusBar::messageChanged, hint_,
+          [this](const QString& message) { hint_->setVisible(message.isEmpty()); });
   pointer_ = addField("status.pointer", tr("Where the pointer is"));
   view_ = addField("status.view", tr("Direction, and in perspective distance, of the viewer"));
   marks_ = new QToolButton(&bar);
@@ -76,9 +80,17 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void StatusLine::setFewFields(bool few) {
-  pointer_->setVisible(!few);
-  view_->setVisible(!few);
-  time_->setVisible(!few);
+  few_ = few;
+  showFields();
+}
+
+void StatusLine::showFields() {
+  // All are of the curves; of no curve at all there is nothing to boast of.
+  const bool curves = !document_.scene().curves.empty();
+  pointer_->setVisible(!few_);
+  view_->setVisible(!few_ && curves);
+  time_->setVisible(!few_ && curves);
+  marks_->setVisible(curves);
 }
 
 void StatusLine::showHint(const QString& text) {
@@ -126,16 +138,14 @@ void StatusLine::showScene() {
   if (!features.complete()) {
     marks_->setText(tr("%n places unresolved", nullptr, places));
   } else if (features.certified()) {
-    // Of no curve at all there is nothing to boast of.
-    marks_->setText(document_.scene().curves.empty()
-                        ? QString()
-                        : tr("all %n marks certified", nullptr, marks));
+    marks_->setText(tr("all %n marks certified", nullptr, marks));
   } else {
     const QString bound = QString::number(features.errorBound(), 'e', 0);
     marks_->setText(tr("all %n marks found to %1", nullptr, marks).arg(bound));
   }
   marks_->setAccessibleName(marks_->text());
   time_->setText(tr("%1 ms").arg(document_.featureMilliseconds(), 0, 'f', 2));
+  showFields();
 }
 
 void StatusLine::listPlaces() {

@@ -38,6 +38,7 @@ class StatusLine : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
   void changed(const Change& change);
   void showScene();
+  void showFields();
   void listPlaces();
   void watchSides(bool onlyTheViewTurned);
   void fitFields();
@@ -51,6 +52,7 @@ class StatusLine : public QObject {
   QToolButton* marks_;
   QMenu* places_;
   QLabel* time_;
+  bool few_ = false;
   std::vector<int> sides_;  ///< normalSide() of each curve
 };
 
