@@ -16,9 +16,11 @@
 #include "core3d/io/read_mesh.h"
 #include "core3d/mesh/solids.h"
 #include "flatland/io/input_error.h"
+#include "flatland/io/scene_json.h"
 #include "tests/support/xml_check.h"
 #include "ui/export/drawing_figure.h"
 #include "ui/export/figure_writers.h"
+#include "ui/export/scene_record.h"
 
 namespace flatland::ui {
 namespace {
@@ -136,6 +138,18 @@ std::vector<double> numbersOf(std::string path) {
   std::vector<double> numbers;
   for (double number = 0.0; in >> number;) numbers.push_back(number);
   return numbers;
+}
+
+TEST(SceneRecord, NamesAMeshWithoutItsFolder) {
+  Scene scene;
+  const auto meshOf = [&scene](const char* reference) {
+    scene.surface.emplace().mesh = reference;
+    return json::parse(sceneRecord(scene))["surface"]["mesh"].get<std::string>();
+  };
+  EXPECT_EQ(meshOf("/home/someone/scans/bust.obj"), "bust.obj");
+  EXPECT_EQ(meshOf("solid:torus:40"), "solid:torus:40");
+  scene.surface.reset();
+  EXPECT_EQ(sceneRecord(scene), sceneToJson(scene));
 }
 
 TEST(DrawingSvg, PaintsHiddenStrokesFirstAndOutlinesLast) {

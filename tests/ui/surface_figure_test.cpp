@@ -273,6 +273,24 @@ class SurfaceFigureTest : public QObject {
     QCOMPARE(paths(textOf(name)), paths(exported));
   }
 
+  /// Pictures are passed on; where their mesh lay is nobody's business.
+  void picturesTellNoFolders() {
+    const QString mesh = driver_->path("mesh.ply");
+    driver_->exportTo(mesh);
+    QVERIFY(ExportDriver::comes(mesh));
+    driver_->window().surfaces().openFile(mesh);
+    QVERIFY(driver_->quiet());
+    const QByteArray folder = QFileInfo(mesh).path().toUtf8();
+    for (const char* suffix : {"svg", "tex"}) {
+      const QString name = driver_->path(QStringLiteral("told.") + suffix);
+      driver_->exportTo(name, {640, 480});
+      QVERIFY(ExportDriver::comes(name));
+      const QByteArray text = textOf(name);
+      QVERIFY2(text.contains("mesh.ply"), suffix);
+      QVERIFY2(!text.contains(folder), suffix);
+    }
+  }
+
   void whatNoCommandMakesHasNone() {
     const auto hasCommand = [this](const char* what) {
       const QString name = driver_->path(QString(what) + ".svg");

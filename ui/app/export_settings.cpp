@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "flatland/io/atomic_file.h"
-#include "flatland/io/scene_json.h"
 #include "ui/export/figure_qt.h"
 #include "ui/export/figure_writers.h"
+#include "ui/export/scene_record.h"
 #include "ui/model/core_words.h"
 #include "ui/model/paths.h"
 
@@ -121,7 +121,7 @@ void exportTo(const std::filesystem::path& file, const Document& document,
           .arg(QCoreApplication::applicationName(), QCoreApplication::applicationVersion())
           .trimmed()
           .toStdString();
-  source.sceneJson = sceneToJson(document.scene());
+  source.sceneJson = sceneRecord(document.scene());
   writeFileAtomically(file, bytesOf(exportedFigure(document, settings), source, settings));
 }
 

@@ -14,7 +14,7 @@
 #include "core3d/io/fields_text.h"
 #include "flatland/io/atomic_file.h"
 #include "flatland/io/input_error.h"
-#include "flatland/io/scene_json.h"
+#include "ui/export/scene_record.h"
 #include "ui/model/core_words.h"
 #include "ui/model/orbit.h"
 #include "ui/model/paths.h"
@@ -153,7 +153,7 @@ void SurfaceExporter::writeLines(const QString& name, const PictureSize& size) {
                  scene = models_.document.scene()] {
     writeFigureFile(toPath(name), {.suggestedName = {},
                                    .title = title,
-                                   .sceneJson = sceneToJson(scene),
+                                   .sceneJson = sceneRecord(scene),
                                    .command = linesCommand(
                                        pictures, px, QFileInfo(name).fileName().toStdString()),
                                    .figure = [&] { return surfaceFigure(pictures, px); },

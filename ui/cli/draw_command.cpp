@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flatland/io/scene_json.h"
 #include "ui/cli/command_line.h"
 #include "ui/cli/number_check.h"
 #include "ui/cli/picture.h"
 #include "ui/cli/scene_argument.h"
 #include "ui/export/flat_figure.h"
+#include "ui/export/scene_record.h"
 
 namespace flatland::ui {
 
@@ -53,7 +53,7 @@ int run(const Options& options, const std::string& commandLine) {
   const FigureSource source{.title = "Flatland: " + withoutFolders(options.scene),
                             .program = "flatland " FLATLAND_VERSION,
                             .command = commandLine,
-                            .sceneJson = sceneToJson(scene)};
+                            .sceneJson = sceneRecord(scene)};
   writePicture(options.output, figure, source, options.dpi);
   return kDone;
 }

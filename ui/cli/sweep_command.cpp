@@ -2,11 +2,11 @@
 #include <cstdio>
 
 #include "flatland/io/atomic_file.h"
-#include "flatland/io/scene_json.h"
 #include "flatland/io/sweep_text.h"
 #include "ui/cli/command_line.h"
 #include "ui/cli/picture.h"
 #include "ui/cli/scene_argument.h"
+#include "ui/export/scene_record.h"
 #include "ui/export/sweep_figure.h"
 
 namespace flatland::ui {
@@ -70,7 +70,7 @@ int run(const Options& options, const std::string& commandLine) {
                {.title = "Flatland, view sweep: " + withoutFolders(options.scene),
                 .program = "flatland " FLATLAND_VERSION,
                 .command = commandLine,
-                .sceneJson = sceneToJson(scene)});
+                .sceneJson = sceneRecord(scene)});
   return kDone;
 }
 

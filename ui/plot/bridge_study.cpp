@@ -9,9 +9,9 @@
 #include <QVBoxLayout>
 
 #include "core3d/io/bridge_text.h"
-#include "flatland/io/scene_json.h"
 #include "ui/export/convergence_figure.h"
 #include "ui/export/figure_qt.h"
+#include "ui/export/scene_record.h"
 #include "ui/model/core_words.h"
 #include "ui/model/theme.h"
 #include "ui/plot/figure_files.h"
@@ -161,7 +161,7 @@ void BridgeStudy::exportDiagram() {
   const QString text =
       exportFigureFile(this, {.suggestedName = tr("bridge"),
                               .title = "Flatland, bridge: distance over resolution",
-                              .sceneJson = sceneToJson(data_->scene),
+                              .sceneJson = sceneRecord(data_->scene),
                               .figure = [data = data_] { return figureOf(*data, {}); },
                               .table = [data = data_] { return bridgeCsv(data->series); }});
   if (!text.isEmpty()) emit said(text);

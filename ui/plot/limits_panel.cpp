@@ -11,7 +11,7 @@
 #include <QSlider>
 
 #include "flatland/io/limits_text.h"
-#include "flatland/io/scene_json.h"
+#include "ui/export/scene_record.h"
 #include "ui/plot/figure_files.h"
 #include "ui/plot/limits_words.h"
 
@@ -270,7 +270,7 @@ void LimitsPanel::exportDiagram() {
   const QString text = exportFigureFile(
       this, {.suggestedName = tr("limits"),
              .title = "Flatland, limits at a silhouette",
-             .sceneJson = sceneToJson(models_.document.scene()),
+             .sceneJson = sceneRecord(models_.document.scene()),
              .figure = [figure = view_->figureForFile()] { return figure; },
              .table = [series = *view_->series()] { return limitsToCsv({series}); }});
   if (!text.isEmpty()) emit said(text);

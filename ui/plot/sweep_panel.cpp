@@ -8,8 +8,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "flatland/io/scene_json.h"
 #include "flatland/io/sweep_text.h"
+#include "ui/export/scene_record.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/wrap_row.h"
 #include "ui/plot/figure_files.h"
@@ -182,7 +182,7 @@ void SweepPanel::exportDiagram() {
   const QString text =
       exportFigureFile(this, {.suggestedName = tr("sweep"),
                               .title = "Flatland, view sweep",
-                              .sceneJson = sceneToJson(shown->scene),
+                              .sceneJson = sceneRecord(shown->scene),
                               .figure = [figure = view_->figureForFile()] { return figure; },
                               .table = [shown] { return sweepToCsv(shown->sweep); }});
   if (!text.isEmpty()) emit said(text);
