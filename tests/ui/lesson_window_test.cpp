@@ -53,6 +53,20 @@ class LessonWindowTest : public QObject {
     QCOMPARE(openPanels(), QStringList({"lesson", "triangle"}));
   }
 
+  void escLeavesTheProjectorAndNotThePoint() {
+    startLesson("surface");
+    lesson().goTo(4);
+    QVERIFY(d().surfaceQuiet());
+    QVERIFY(d().child<QLabel>("status.hint").text().contains("5: perspective"));
+    d().trigger("view.layout.projector");
+    const std::uint32_t vertex = pick().vertex();
+    pressed(Qt::Key_Escape);
+    QVERIFY(!d().window().display().isProjector());
+    QVERIFY(pick().hit() && pick().vertex() == vertex);
+    pressed(Qt::Key_Escape);
+    QVERIFY(!pick().hit());
+  }
+
   void theMenuSaysWhatALessonCovers() {
     for (const char* id : {"silhouette", "apparent-ridge", "offset", "surface"}) {
       const QString text = d().child<QAction>((std::string("lesson.shipped.") + id).c_str()).text();

@@ -165,7 +165,9 @@ void MainWindow::buildMenuBar() {
 }
 
 void MainWindow::connectParts() {
-  connect(canvas_, &FlatCanvas::hint, status_, &StatusLine::showHint);
+  connect(canvas_, &FlatCanvas::hint, status_, [this](const QString& text) {
+    if (canvas_->isVisible()) status_->showHint(text);  // else the surface has all the room
+  });
   connect(canvas_, &FlatCanvas::pointerAt, status_, [this](const std::optional<Vec2>& world) {
     status_->showPointer(world, viewport_.scale());
   });

@@ -2834,7 +2834,7 @@
     </message>
     <message>
         <source>%1: rounding, both sides agree</source>
-        <translation>%1: Rundung, beide Seiten stimmen überein</translation>
+        <translation>%1: Rundung, beide Seiten gleich</translation>
     </message>
     <message>
         <source>|left| + |right|</source>

@@ -78,8 +78,8 @@ bool SurfaceInput::eventFilter(QObject*, QEvent* event) {
     }
     case QEvent::ShortcutOverride: {
       const auto& pressed = static_cast<const QKeyEvent&>(*event);
-      const bool takesBack = pressed.key() == Qt::Key_Escape &&
-                             (drag_ != Drag::None || isSpinning() || models_.pick.hit());
+      const bool takesBack =
+          pressed.key() == Qt::Key_Escape && (drag_ != Drag::None || isSpinning() || dropsPick());
       // Home goes to the first step where there is a lesson.
       const bool isOurs = isSurfaceKey(pressed) && pressed.key() != Qt::Key_Home;
       if (!isOurs && !takesBack) return false;

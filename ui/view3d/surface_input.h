@@ -17,8 +17,8 @@ namespace flatland::ui {
 
 /// What mouse, trackpad and keys do to the camera, on whatever widget shows the surface. Every
 /// motion moves the camera of the view (SurfaceModels::setCamera); Esc takes a drag back, stops
-/// spinning, or drops the pick. A click without a drag picks the place under it, on the background
-/// none; P picks in the middle of the picture.
+/// spinning, or, but on the projector, drops the pick. A click without a drag picks the place under
+/// it, on the background none; P picks in the middle of the picture.
 class SurfaceInput : public QObject {
   Q_OBJECT
 
@@ -43,6 +43,7 @@ class SurfaceInput : public QObject {
   bool move(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(const QKeyEvent& event);
+  bool dropsPick() const;  ///< by Esc
   void release(const QMouseEvent& event);
   void endDrag();
   void hintAtKeys();

@@ -45,6 +45,11 @@ bool isSurfaceKey(const QKeyEvent& event) {
   }
 }
 
+/// On the wall Esc leaves the projector, as it says there, and the class keeps its point.
+bool SurfaceInput::dropsPick() const {
+  return models_.pick.hit() && !models_.display.isProjector();
+}
+
 bool SurfaceInput::key(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Escape) {
     if (drag_ != Drag::None) {
@@ -55,7 +60,7 @@ bool SurfaceInput::key(const QKeyEvent& event) {
     }
     if (isSpinning()) {
       setSpinning(false);
-    } else if (models_.pick.hit()) {
+    } else if (dropsPick()) {
       models_.pick.pick(std::nullopt);
     } else {
       return false;
