@@ -342,13 +342,7 @@ class SeenStrokesTest : public QObject {
 
   void aDifferenceIsTheSameAtEveryZoom() {
     SeenSource& other = *other_;
-    SurfaceSetting edited = setting();
-    edited.panes.resize(1);
-    edited.panes[0].shows = kShowsDifference;
-    edited.panes[0].derivative = kOneRing;
-    push(edited);
-    QVERIFY(settled());
-    QVERIFY(other.seen() && other.seen()->difference);
+    QVERIFY(showsDifference());
     QVERIFY(other.seen()->difference->addedShare > 0.0);
     const int own = other.searches(), first = seen_->searches();
     SurfaceCamera camera = setting().camera;
@@ -373,13 +367,8 @@ class SeenStrokesTest : public QObject {
   /// The surface is gone through again for what changed, and not for what only looks different.
   void aDifferenceFindsNothingTwice() {
     SeenSource& other = *other_;
+    QVERIFY(showsDifference());
     SurfaceSetting edited = setting();
-    edited.panes.resize(1);
-    edited.panes[0].shows = kShowsDifference;
-    edited.panes[0].derivative = kOneRing;
-    push(edited);
-    QVERIFY(settled());
-    QVERIFY(other.seen() && other.seen()->difference);
     const int searches = other.searches(), before = other.findings();
     QVERIFY(before > 0);
     edited.style = "gooch";
@@ -464,6 +453,15 @@ class SeenStrokesTest : public QObject {
       edited = withFamily(std::move(edited), look);
     }
     push(edited);
+  }
+  /// The second view shows how neighbours differ from the closed form; false if it does not come.
+  bool showsDifference() {
+    SurfaceSetting edited = setting();
+    edited.panes.resize(1);
+    edited.panes[0].shows = kShowsDifference;
+    edited.panes[0].derivative = kOneRing;
+    push(edited);
+    return settled() && other_->seen() && other_->seen()->difference;
   }
   bool settled() {
     return QTest::qWaitFor(
