@@ -387,6 +387,45 @@ class SlicingTest : public QObject, private BridgingWindow {
     QVERIFY(plane() == start);
   }
 
+  void hintsFitWhatIsBelowTheHand() {
+    WindowDriver& d = *driver_;
+    const auto& hint = d.child<QLabel>("status.hint");
+    QVERIFY(hint.text().contains("bend the curve"));
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    // The surface that was opened has the keys, and its words.
+    QVERIFY(surface().hasFocus());
+    QVERIFY2(hint.text().startsWith("Drag: turn (Shift"), qPrintable(hint.text()));
+    d.trigger("surface.plane.view");
+    QVERIFY(quiet());
+    QVERIFY(hint.text().startsWith("Drag: turn (Shift"));
+    const auto hover = [&](const QPoint& p) {
+      QMouseEvent event(QEvent::MouseMove, p, surface().mapToGlobal(p), Qt::NoButton, Qt::NoButton,
+                        {});
+      QCoreApplication::sendEvent(&surface(), &event);
+    };
+    hover(handle(2));
+    QCOMPARE(hint.text(), QString("Drag: turn the plane"));
+    const QPoint from = handle(2);
+    QTest::mousePress(&surface(), Qt::LeftButton, {}, from);
+    moveOver(from + QPoint(15, 10));
+    QVERIFY(hint.text().contains("Esc takes it back"));
+    QTest::mouseRelease(&surface(), Qt::LeftButton, {}, from + QPoint(15, 10));
+    QVERIFY(quiet());
+    QVERIFY2(!hint.text().contains("Esc takes it back"), qPrintable(hint.text()));
+    hover({5, 5});
+    QVERIFY(hint.text().startsWith("The arrow keys turn the plane"));
+    QTest::keyClick(&surface(), Qt::Key_Escape);
+    QVERIFY(hint.text().startsWith("Drag: turn (Shift"));
+    // Linked curves that turn with it do not talk.
+    d.trigger("surface.plane.open");
+    QVERIFY(quiet());
+    surface().setFocus();
+    dragSurface({30, 200}, {70, 210});
+    QVERIFY(quiet());
+    QVERIFY2(hint.text().startsWith("Drag: turn (Shift"), qPrintable(hint.text()));
+  }
+
   void anUprightNormalKeepsItsAzimuth() {
     WindowDriver& d = *driver_;
     d.trigger("surface.solid.torus");

@@ -3,6 +3,7 @@
 // happens meanwhile.
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include "tests/ui/support_window.h"
@@ -41,7 +42,10 @@ class SurfaceReadingTest : public QObject {
     QVERIFY(row.isVisible());
     QCOMPARE(row.findChild<QLabel*>()->text(), QStringLiteral("Reading the mesh"));
     QVERIFY(!driver_->window().surfaceArea().isVisible());
+    QSignalSpy said(&driver_->window().surfaces(), &SurfaceController::said);
     press("reading.cancel");
+    QCOMPARE(said.count(), 1);
+    QCOMPARE(said.takeFirst().front().toString(), QStringLiteral("Stopped reading torus:500."));
     QVERIFY(!source().isBusy());
     QVERIFY(!row.isVisible());
     driver_->settle();
@@ -53,6 +57,8 @@ class SurfaceReadingTest : public QObject {
     driver_->window().surfaces().openSolid(kSmall);
     QVERIFY(source().isReading());
     QVERIFY(!row.isVisible());
+    press("surface.cancel");
+    QVERIFY(said.takeFirst().front().toString().contains("The surface before stays"));
     QVERIFY(driver_->surfaceQuiet());
   }
 

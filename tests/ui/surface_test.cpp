@@ -2,12 +2,14 @@
 // The surface in the real window, by mouse and keys. FLATLAND_DATA names the example meshes.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -276,6 +278,39 @@ class SurfaceTest : public QObject {
     QVERIFY(turn(-30));
     QVERIFY(threshold() < before);
     d.canvasKey(Qt::Key_F11);
+  }
+
+  void aSurfaceThatIsClosedLeavesItsRoomToTheCurves() {
+    WindowDriver& d = *driver_;
+    openSolid("torus:20");
+    QVERIFY(d.window().surfaceArea().isVisible());
+    d.trigger("surface.close");
+    QVERIFY(quiet());
+    QVERIFY(!d.window().surfaceArea().isVisible() && d.canvas().isVisible());
+    QCOMPARE(d.window().layouts().current(), Layouts::Kind::Work);
+    d.trigger("edit.undo");
+    QVERIFY(quiet());
+    QVERIFY(d.window().surfaceArea().isVisible());
+    QCOMPARE(d.window().layouts().current(), Layouts::Kind::Surface);
+    // So in its own layout, where panels made or unmade it.
+    d.trigger("edit.redo");
+    QVERIFY(quiet());
+    QVERIFY(!d.window().surfaceArea().isVisible() && d.canvas().isVisible());
+    // Who asks for its place gets it, with what to do there.
+    d.trigger("view.layout.surface");
+    d.settle();
+    QVERIFY(d.window().surfaceArea().isVisible());
+    auto& open = d.child<QPushButton>("surface.empty.open");
+    QVERIFY(open.isVisible());
+    bool asked = false;
+    whenModal([&](QWidget& dialog) {
+      asked = true;
+      static_cast<QDialog&>(dialog).reject();
+    });
+    QTest::mouseClick(&open, Qt::LeftButton);
+    QVERIFY(asked);
+    openSolid("torus:20");
+    QVERIFY(!open.isVisible());
   }
 
   void whatMayLieDownIsAskedOnce() {

@@ -66,7 +66,15 @@ Layouts::Layouts(QMainWindow& window, Docks& docks, Display& display, QToolBar& 
 }
 
 void Layouts::use(Kind kind) {
-  if (kind == current_) return;
+  // Who asks for the layout of surfaces has its place shown, empty or not.
+  const bool asks = kind == Kind::Surface && current_ != Kind::Projector;
+  const bool appears = asks && !std::exchange(emptyWanted_, true) && !surfaceThere_;
+  if (kind == current_) {
+    if (!appears) return;
+    showParts();
+    emit changed();
+    return;
+  }
   states()[current_] = window_.saveState(kVersion);
   const bool wasProjector = current_ == Kind::Projector;
   if (kind == Kind::Projector) {
@@ -142,12 +150,14 @@ void Layouts::showLessonPanel() {
 
 void Layouts::showParts() {
   pictureBar_.setVisible(current_ == Kind::Picture);
-  surface_.setVisible(current_ == Kind::Surface || (surfaceThere_ && current_ != Kind::Work));
+  const bool emptyShown = current_ == Kind::Surface && emptyWanted_;
+  surface_.setVisible(emptyShown || (surfaceThere_ && current_ != Kind::Work));
 }
 
 void Layouts::setSurfaceThere(bool there) {
   if (there == surfaceThere_) return;
   surfaceThere_ = there;
+  if (!there) emptyWanted_ = false;  // its room is the curves'
   showParts();
 }
 

@@ -95,6 +95,7 @@ class Layouts : public QObject {
   Kind current_ = Kind::Work;
   Kind beforeProjector_ = Kind::Work;
   bool surfaceThere_ = false;
+  bool emptyWanted_ = false;  ///< the place of a surface is shown without one
   bool flatBeside_ = true;
   QByteArray geometry_;  ///< of the window before projector mode, for the settings
   QRect place_;

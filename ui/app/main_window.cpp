@@ -14,6 +14,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "flatland/io/input_error.h"
 #include "ui/app/bridge_controller.h"
@@ -230,7 +231,18 @@ void MainWindow::connectSurface() {
     layouts_->use(Layouts::Kind::Surface);
     shareCentre();
   };
-  connect(&surfaceSource_, &SurfaceSource::opened, this, showSurface);
+  connect(&surfaceSource_, &SurfaceSource::opened, this, [this, showSurface] {
+    showSurface();
+    // Its keys and hints are wanted now, unless one is at work in a panel.
+    const QWidget* at = focusWidget();
+    if (!at || at == canvas_) surfaceArea_->focusView();
+  });
+  connect(surfaceArea_, &SurfaceArea::openWanted, surfaces_, &SurfaceController::open);
+  connect(surfaces_, &SurfaceController::closed, this, [this] {
+    wasClosed_ = layouts_->current() == Layouts::Kind::Surface;
+    if (wasClosed_) layouts_->use(Layouts::Kind::Work);
+    canvas_->setFocus(Qt::OtherFocusReason);
+  });
   connect(bridgeController_, &BridgeController::surfaceWanted, this, showSurface);
   connect(bridgeController_, &BridgeController::said, status_, &StatusLine::say);
   // Who opens a section wants to see the curve, and the marks of both beside one another.
@@ -240,6 +252,8 @@ void MainWindow::connectSurface() {
   });
   connect(&document_, &Document::changed, this, [this, showSurface](const Change& change) {
     if (change.touchesScene() || change.touchesSurface()) showCentre();
+    // Undo of closing brings the surface back where it was.
+    if (document_.scene().surface && std::exchange(wasClosed_, false)) showSurface();
     if (change.what != Change::What::Scene) return;
     if (document_.scene().surface) {
       showSurface();

@@ -106,6 +106,7 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_ = nullptr;
   QSplitter* centre_ = nullptr;
   SurfaceArea* surfaceArea_ = nullptr;
+  bool wasClosed_ = false;              ///< a surface, from its own layout, by hand
   SurfaceProgress* reading_ = nullptr;  ///< of a mesh, while no surface is shown
   SurfaceController* surfaces_ = nullptr;
   BridgeController* bridgeController_ = nullptr;

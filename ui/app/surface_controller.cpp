@@ -59,6 +59,12 @@ SurfaceController::SurfaceController(QWidget& window, const SurfaceModels& model
       exporter_(models) {
   connect(&models_.source, &SurfaceSource::failed, &messages_, &MessageBar::showError);
   connect(&models_.views, &SurfaceViews::failed, &messages_, &MessageBar::showError);
+  connect(&models_.source, &SurfaceSource::readingGivenUp, this, [this](const QString& reference) {
+    const QString name = QString::fromStdString(surfaceName(reference.toStdString()));
+    const bool stays = models_.source.surface() != nullptr;
+    emit said(stays ? tr("Stopped reading %1. The surface before stays.").arg(name)
+                    : tr("Stopped reading %1.").arg(name));
+  });
   const Bridges& bridges = models_.bridges;
   connect(&bridges.source, &BridgeSource::failed, &messages_, &MessageBar::showError);
   connect(&bridges.section, &SectionSource::failed, &messages_, &MessageBar::showError);
@@ -127,7 +133,11 @@ void SurfaceController::openNeighbour(int step) {
   openFile(dir.filePath(names[(place + step + count) % count]));
 }
 
-void SurfaceController::close() { models_.source.close(); }
+void SurfaceController::close() {
+  if (!models_.document.scene().surface) return;
+  models_.source.close();
+  emit closed();
+}
 
 void SurfaceController::exportPicture(const QSize& panel) {
   if (!models_.source.surface()) return;

@@ -46,6 +46,7 @@ class SurfaceController : public QObject {
 
  signals:
   void said(const QString& text);
+  void closed();  ///< by hand
 
  private:
   /// Once for each mesh, from wherever it came.

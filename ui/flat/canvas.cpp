@@ -69,7 +69,8 @@ void FlatCanvas::documentChanged(const Change& change) {
   if (!change.touchesScene()) return;
   if (gesture_ && !gesture_->survives(change)) gesture_.reset();
   hovered_ = {};  // what was there may have moved away
-  if (!gesture_) showHint();
+  // A surface beside it has hints of its own.
+  if (!gesture_ && (hasFocus() || underMouse())) showHint();
   if (change.what == Change::What::Scene) fit();
   setAccessibleDescription(sceneSummary(models_.document));
   update();

@@ -61,7 +61,11 @@ void SurfaceSource::close() {
 
 void SurfaceSource::cancel() {
   givenUp_ = true;
-  if (opening_.isRunning()) return opening_.cancel();
+  if (opening_.isRunning()) {
+    opening_.cancel();
+    emit readingGivenUp(QString::fromStdString(reads_));
+    return;
+  }
   fields_.cancel();
   sweep_.cancel();
 }
@@ -169,6 +173,7 @@ void SurfaceSource::start(const std::string& reference, bool isNew) {
   }
   opensNew_ = isNew;
   givenUp_ = false;
+  reads_ = reference;
   using Data = std::shared_ptr<const LoadedSurface>;
   opening_.start<Data>(
       [reference](const JobControl&) {

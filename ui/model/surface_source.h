@@ -58,6 +58,7 @@ class SurfaceSource : public QObject {
   void progressed(double share);  ///< of the fields, in [0, 1]
   void opened(const QString& name);
   void failed(const QString& reason);
+  void readingGivenUp(const QString& reference);  ///< by cancel()
 
  private:
   void follow(const Change& change);
@@ -75,6 +76,7 @@ class SurfaceSource : public QObject {
   Job fields_;   ///< estimates those of surface_, also while another mesh is read
   SweepWork sweep_;
   std::shared_ptr<const LoadedSurface> surface_;
+  std::string reads_;            ///< what opening_ reads
   std::string wanted_;           ///< reference of the last start; of one that failed too
   std::string unreadable_;       ///< the scene's own, which failed and was told of
   std::optional<double> scale_;  ///< of the last estimate for surface_, done or not

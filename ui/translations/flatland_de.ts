@@ -5498,14 +5498,6 @@
 <context>
     <name>flatland::ui::PlaneInput</name>
     <message>
-        <source>Drag: move the plane along its normal</source>
-        <translation>Ziehen: die Ebene entlang ihrer Normalen verschieben</translation>
-    </message>
-    <message>
-        <source>Drag: turn the plane</source>
-        <translation>Ziehen: die Ebene drehen</translation>
-    </message>
-    <message>
         <source>Moving the plane; Esc takes it back</source>
         <translation>Bewegt die Ebene; Esc nimmt es zurück</translation>
     </message>
@@ -6386,8 +6378,16 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
 <context>
     <name>flatland::ui::SurfaceArea</name>
     <message>
-        <source>No surface yet. Open a mesh (PLY, OBJ, STL, OFF, glTF) by Surface &gt; Open Mesh, drop one here, or take one of Surface &gt; Solids.</source>
-        <translation>Noch keine Fläche. Öffne ein Netz (PLY, OBJ, STL, OFF, glTF) mit Fläche &gt; Netz öffnen, lass eines hierher fallen oder nimm eines von Fläche &gt; Körper.</translation>
+        <source>&amp;Open Mesh...</source>
+        <translation>Netz ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>Choose a file with a mesh</source>
+        <translation>Eine Datei mit einem Netz wählen</translation>
+    </message>
+    <message>
+        <source>No surface yet. Open a mesh (PLY, OBJ, STL, OFF, glTF), drop one here, or take one of Surface &gt; Solids.</source>
+        <translation>Noch keine Fläche. Öffne ein Netz (PLY, OBJ, STL, OFF, glTF), lass eines hierher fallen oder nimm eines von Fläche &gt; Körper.</translation>
     </message>
 </context>
 <context>
@@ -6431,6 +6431,14 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>%1 files (*.%2)</source>
         <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>Stopped reading %1. The surface before stays.</source>
+        <translation>Lesen von %1 abgebrochen. Die Fläche davor bleibt.</translation>
+    </message>
+    <message>
+        <source>Stopped reading %1.</source>
+        <translation>Lesen von %1 abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -6504,6 +6512,18 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
     <message>
         <source>Drag: turn (Shift: move). Click: pick. Wheel: zoom. 1 3 7: views. 5: perspective.</source>
         <translation>Ziehen: drehen (Umschalt: verschieben). Klick: Punkt wählen. Rad: Zoom. 1 3 7: Ansichten. 5: Perspektive.</translation>
+    </message>
+    <message>
+        <source>Drag: move the plane along its normal</source>
+        <translation>Ziehen: die Ebene entlang ihrer Normalen verschieben</translation>
+    </message>
+    <message>
+        <source>Drag: turn the plane</source>
+        <translation>Ziehen: die Ebene drehen</translation>
+    </message>
+    <message>
+        <source>The arrow keys turn the plane; [ and ] move it; Esc gives them back</source>
+        <translation>Die Pfeiltasten drehen die Ebene; [ und ] verschieben sie; Esc gibt sie zurück</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,7 @@ void PaneWidget::useCanvas(QWidget* canvas) {
   connect(input_, &SurfaceInput::hint, this, &PaneWidget::hint);
   auto* plane = new PlaneInput(*canvas_, models_);  // after the camera's, to be asked before it
   connect(plane, &PlaneInput::hint, this, &PaneWidget::hint);
+  connect(plane, &PlaneInput::handChanged, input_, &SurfaceInput::hintAtHand);
   connect(input_, &SurfaceInput::spinningChanged, this, &PaneWidget::spinningChanged);
   connect(input_, &SurfaceInput::pointedAt, this, [this](const std::optional<QPointF>& px) {
     pointer_ = px;

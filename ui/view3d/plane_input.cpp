@@ -119,11 +119,10 @@ bool PlaneInput::move(const QMouseEvent& event) {
     grip.setHandle(handle);
     if (handle) {
       canvas_.setCursor(Qt::PointingHandCursor);
-      emit hint(*handle == 0 ? tr("Drag: move the plane along its normal")
-                             : tr("Drag: turn the plane"));
     } else {
       canvas_.unsetCursor();
     }
+    emit handChanged();
     return false;
   }
   const double radius = models_.source.surface()->ballRadius;
@@ -142,6 +141,7 @@ void PlaneInput::endDrag() {
   if (!before_) return;
   before_.reset();
   canvas_.unsetCursor();
+  emit handChanged();
 }
 
 bool PlaneInput::isKey(const QKeyEvent& event) const {
@@ -172,6 +172,7 @@ bool PlaneInput::key(const QKeyEvent& event) {
       endDrag();
     } else {
       grip.setHasKeys(false);
+      emit handChanged();
     }
     return true;
   }

@@ -25,6 +25,8 @@ class PlaneInput : public QObject {
 
  signals:
   void hint(const QString& text);
+  /// Nothing is held any more, and another thing may be below the pointer, or have the keys.
+  void handChanged();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -3,9 +3,11 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/view3d/colour_strip.h"
 #include "ui/view3d/pane_widget.h"
@@ -24,15 +26,11 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
     : QWidget(parent),
       models_(models),
       pages_(new QStackedWidget(this)),
-      empty_(new QLabel(this)),
       views_(new QWidget(pages_)),
       colours_(new ColourStrip(models, this)),
       grid_(new QGridLayout(views_)) {
   setObjectName("surface-area");
-  empty_->setObjectName("surface.empty");
-  empty_->setAlignment(Qt::AlignCenter);
-  empty_->setWordWrap(true);
-  empty_->setMargin(24);
+  empty_ = makeEmpty();
   grid_->setContentsMargins({});
   grid_->setSpacing(1);
   pages_->addWidget(empty_);
@@ -50,6 +48,25 @@ SurfaceArea::SurfaceArea(const SurfaceModels& models, QWidget* parent)
     showState();
   });
   showState();
+}
+
+QWidget* SurfaceArea::makeEmpty() {
+  auto* page = new QWidget(this);
+  emptyWords_ = new QLabel(page);
+  emptyWords_->setObjectName("surface.empty");
+  emptyWords_->setAlignment(Qt::AlignCenter);
+  emptyWords_->setWordWrap(true);
+  open_ = new QPushButton(tr("&Open Mesh..."), page);
+  open_->setObjectName("surface.empty.open");
+  open_->setToolTip(tr("Choose a file with a mesh"));
+  connect(open_, &QPushButton::clicked, this, &SurfaceArea::openWanted);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(24, 24, 24, 24);
+  layout->addStretch(1);
+  layout->addWidget(emptyWords_);
+  layout->addWidget(open_, 0, Qt::AlignHCenter);
+  layout->addStretch(1);
+  return page;
 }
 
 void SurfaceArea::showEvent(QShowEvent* event) {
@@ -122,10 +139,19 @@ void SurfaceArea::showState() {
   pages_->setCurrentWidget(there ? views_ : empty_);
   const auto& setting = models_.document.scene().surface;
   colours_->setVisible(there && setting && styleOf(*setting) == SurfaceStyle::Colours);
-  empty_->setText(
+  emptyWords_->setText(
       setting ? QString::fromStdString(surfaceName(setting->mesh))
-              : tr("No surface yet. Open a mesh (PLY, OBJ, STL, OFF, glTF) by Surface > Open Mesh, "
-                   "drop one here, or take one of Surface > Solids."));
+              : tr("No surface yet. Open a mesh (PLY, OBJ, STL, OFF, glTF), drop one here, or take "
+                   "one of Surface > Solids."));
+  open_->setHidden(setting.has_value());
+  const std::size_t active = models_.views.active();
+  if (!there || active >= panes_.size() || !std::exchange(wantsFocus_, false)) return;
+  panes_[active]->canvas()->setFocus(Qt::OtherFocusReason);
+}
+
+void SurfaceArea::focusView() {
+  wantsFocus_ = true;
+  showState();
 }
 
 }  // namespace flatland::ui

@@ -8,6 +8,7 @@
 
 class QGridLayout;
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 
 namespace flatland::ui {
@@ -32,6 +33,9 @@ class SurfaceArea : public QWidget {
   QWidget* canvas(std::size_t pane = 0) const;
   SurfaceOverlay* overlay(std::size_t pane = 0) const;
 
+  /// Gives the focus to the view that panels are about, as soon as it is there.
+  void focusView();
+
   /// The view that panels are about turns on and on, or none does.
   void setSpinning(bool spins);
 
@@ -39,6 +43,7 @@ class SurfaceArea : public QWidget {
   QSize minimumSizeHint() const override { return {240, 200}; }
 
  signals:
+  void openWanted();  ///< a mesh, where there is none
   void hint(const QString& text);
   void failed(const QString& reason);
   void spinningChanged(bool spins);
@@ -47,6 +52,7 @@ class SurfaceArea : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QWidget* makeEmpty();
   void makePanes();
   void addPane();
   void spinOnly(const PaneWidget& pane, bool spins);
@@ -54,12 +60,15 @@ class SurfaceArea : public QWidget {
 
   SurfaceModels models_;
   QStackedWidget* pages_;
-  QLabel* empty_;
+  QWidget* empty_ = nullptr;
+  QLabel* emptyWords_ = nullptr;
+  QPushButton* open_ = nullptr;
   QWidget* views_;
   ColourStrip* colours_;
   QGridLayout* grid_;
   std::vector<PaneWidget*> panes_;  ///< owned by views_
   bool shown_ = false;
+  bool wantsFocus_ = false;
 };
 
 }  // namespace flatland::ui

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "ui/flat/wheel.h"
+#include "ui/model/bridges.h"
 #include "ui/model/orbit.h"
 #include "ui/model/surface_probe.h"
 
@@ -88,8 +89,9 @@ bool SurfaceInput::eventFilter(QObject*, QEvent* event) {
     }
     case QEvent::KeyPress:
       return key(static_cast<const QKeyEvent&>(*event));
+    case QEvent::Enter:
     case QEvent::FocusIn:
-      hintAtKeys();  // what the canvas of curves said is of no use here
+      hintAtHand();  // what the canvas of curves said is of no use here
       return false;
     case QEvent::FocusOut:
       endDrag();
@@ -129,7 +131,7 @@ bool SurfaceInput::move(const QMouseEvent& event) {
   switch (drag_) {
     case Drag::None:
       emit pointedAt(at);
-      hintAtKeys();
+      hintAtHand();
       return true;
     case Drag::Orbit:
       setCamera(orbited(camera(), by, canvas_.height()));
@@ -171,12 +173,20 @@ void SurfaceInput::endDrag() {
   drag_ = Drag::None;
   before_.reset();
   canvas_.unsetCursor();
-  hintAtKeys();
+  hintAtHand();
 }
 
-void SurfaceInput::hintAtKeys() {
-  emit hint(
-      tr("Drag: turn (Shift: move). Click: pick. Wheel: zoom. 1 3 7: views. 5: perspective."));
+void SurfaceInput::hintAtHand() {
+  const PlaneGrip& grip = models_.bridges.grip;
+  if (grip.handle()) {
+    emit hint(*grip.handle() == 0 ? tr("Drag: move the plane along its normal")
+                                  : tr("Drag: turn the plane"));
+  } else if (grip.hasKeys()) {
+    emit hint(tr("The arrow keys turn the plane; [ and ] move it; Esc gives them back"));
+  } else {
+    emit hint(
+        tr("Drag: turn (Shift: move). Click: pick. Wheel: zoom. 1 3 7: views. 5: perspective."));
+  }
 }
 
 bool SurfaceInput::wheel(const QWheelEvent& event) {

@@ -27,6 +27,8 @@ class SurfaceInput : public QObject {
 
   void setSpinning(bool spins);
   bool isSpinning() const { return spin_.isActive(); }
+  /// Says what the hand can do where the pointer is.
+  void hintAtHand();
 
  signals:
   /// The pointer is over this place of the canvas, or left.
@@ -46,7 +48,6 @@ class SurfaceInput : public QObject {
   bool dropsPick() const;  ///< by Esc
   void release(const QMouseEvent& event);
   void endDrag();
-  void hintAtKeys();
   void pickAt(const QPointF& px);
   void setCamera(const SurfaceCamera& camera);
   const SurfaceCamera& camera() const { return models_.camera(); }
