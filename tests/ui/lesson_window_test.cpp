@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QScrollBar>
 #include <QSpinBox>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolButton>
 
@@ -141,6 +142,30 @@ class LessonWindowTest : public QObject {
     d().window().surfaceArea().canvas()->setFocus();
     pressed(Qt::Key_Home);
     QCOMPARE(lesson().index(), 0);
+  }
+
+  void theMarkedEquationHasTheColoursOfTheTheme() {
+    startLesson("surface");
+    lesson().goTo(3);
+    QVERIFY(d().surfaceQuiet());
+    const auto ground = [this] {
+      const QTextDocument& text = *d().child<QTextBrowser>("derivation.text").document();
+      QColor colour;
+      for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().background().style() == Qt::NoBrush) continue;
+        if (!block.text().startsWith("The derivative of an inverse")) return QColor();
+        colour = block.blockFormat().background().color();
+      }
+      return colour;
+    };
+    d().window().display().setTheme(ui::Display::Theme::Light);
+    d().settle();
+    const QColor light = ground();
+    QVERIFY(light.isValid() && light.lightness() > 180);
+    d().window().display().setTheme(ui::Display::Theme::Dark);
+    d().settle();
+    QVERIFY(ground().isValid() && ground().lightness() < 100);
+    d().window().display().setTheme(ui::Display::Theme::System);
   }
 
   // A student takes the two sides that are shown, and finds the difference and the share shown.

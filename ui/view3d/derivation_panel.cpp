@@ -2,6 +2,7 @@
 #include "ui/view3d/derivation_panel.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollBar>
@@ -150,6 +151,11 @@ void DerivationPanel::scrollToWanted() {
 void DerivationPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   QMetaObject::invokeMethod(this, &DerivationPanel::scrollToWanted, Qt::QueuedConnection);
+}
+
+void DerivationPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) refresh();  // the mark has its colour
 }
 
 void DerivationPanel::refresh() {
