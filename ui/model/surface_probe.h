@@ -13,9 +13,9 @@ namespace flatland::ui {
 /// What is under a pixel: the place, and what a view makes of the vertex nearest to it.
 struct SurfaceReading {
   SurfaceHit hit;
-  std::uint32_t vertex;               ///< of the mesh
-  std::uint32_t fileVertex;           ///< the same in the file, from 0
-  Eigen::Vector3d inFile;             ///< the place in the file's coordinates
+  std::uint32_t vertex;      ///< of the mesh
+  std::uint32_t fileVertex;  ///< the same in the file, from 0
+  Eigen::Vector3d inFile;    ///< the place in the file's coordinates
   /// Towards growing lambda; empty before fields are there, or without a normal.
   std::optional<SurfaceTerms> terms;
 };
