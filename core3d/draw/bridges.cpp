@@ -59,7 +59,8 @@ Tip tipOf(const ScreenChain& line, bool last) {
 
 // An open line without so much of its ends.
 LineChain cutBack(const ScreenChain& line, double front, double back) {
-  const double from = front, to = line.length() - back;
+  // Two may take more of a crumb than there is: then one place of it is left.
+  const double from = front, to = std::max(from, line.length() - back);
   LineChain result = line.chain;
   if (front <= 0.0 && back <= 0.0) return result;
   const ScreenChain::Point first = line.at(from), last = line.at(to);

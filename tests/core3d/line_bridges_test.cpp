@@ -89,6 +89,20 @@ TEST(Bridges, HandOverWhereLinesRunBesideEachOther) {
   EXPECT_EQ(joined(line, piece({39, 2}, {0, 2})).size(), 2u);    // a hairpin
 }
 
+TEST(Bridges, MayLeaveNothingOfACrumbBetweenTwo) {
+  // In a small picture a line is shorter than what its two neighbours take of it.
+  const double length = 0.45, reach = 0.28;
+  const auto joined = bridged({piece({-20.0, reach}, {reach, reach}), piece({0, 0}, {length, 0}),
+                               piece({length - reach, -reach}, {20.0, -reach})},
+                              flatProjection(), 6.0);
+  ASSERT_EQ(joined.size(), 1u);
+  const LineChain& chain = joined[0].chain;
+  EXPECT_EQ(chain.pieceCount(), chain.triangles.size());
+  EXPECT_EQ(chain.pieceCount(), chain.standsOut.size());
+  EXPECT_EQ(chain.points.size(), chain.strength.size());
+  for (const Eigen::Vector3f& p : chain.points) EXPECT_LE(std::abs(p.x()), 20.0f);
+}
+
 TEST(Bridges, CloseALoopWithAGap) {
   LineChain chain;
   for (int i = 0; i <= 95; ++i) {
