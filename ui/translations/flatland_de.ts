@@ -6632,10 +6632,6 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
         <translation>&amp;Schattierung</translation>
     </message>
     <message>
-        <source>What the colour map shows; curvatures times the size of the surface</source>
-        <translation>Was die Farbkarte zeigt; Krümmungen mal Größe der Fläche</translation>
-    </message>
-    <message>
         <source>change colour map</source>
         <translation>Farbkarte ändern</translation>
     </message>
@@ -6712,6 +6708,10 @@ Große Schritte: Abbruch, Steigung 2. Kleine Schritte: Rundung, Steigung −1.</
             <numerusform>%Ln Dreieck</numerusform>
             <numerusform>%Ln Dreiecke</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>What the colour map shows; curvatures times the size of the surface. Choosing one makes the colour map the shading</source>
+        <translation>Was die Farbkarte zeigt; Krümmungen mal Größe der Fläche. Eine Wahl macht die Farbkarte zur Schattierung</translation>
     </message>
 </context>
 <context>

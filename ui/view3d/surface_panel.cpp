@@ -85,7 +85,9 @@ QWidget* SurfacePanel::makeLook() {
   form->addRow(tr("&Shading"), style_);
   quantity_ = new QComboBox(look);
   quantity_->setObjectName("surface.quantity");
-  quantity_->setToolTip(tr("What the colour map shows; curvatures times the size of the surface"));
+  quantity_->setToolTip(
+      tr("What the colour map shows; curvatures times the size of the surface. Choosing one makes "
+         "the colour map the shading"));
   for (int i = 0; i < kSurfaceQuantityCount; ++i) {
     quantity_->addItem(quantityWords(static_cast<SurfaceQuantity>(i)));
   }
