@@ -9,6 +9,7 @@
 #include "core3d/io/read_mesh.h"
 #include "core3d/mesh/mesh_report.h"
 #include "flatland/io/scene_json.h"
+#include "flatland/io/svg_file.h"
 #include "ui/app/language.h"
 #include "ui/model/core_sentences.h"
 #include "ui/model/core_words.h"
@@ -117,6 +118,38 @@ class MeshWordsTest : public QObject {
                  qPrintable(QString::fromStdString(english) + " -> " + german));
       }
     }
+  }
+
+  void whatAnImportDidIsGerman() {
+    // Of each thing that is left out one, then three.
+    const QString one =
+        "<defs><linearGradient/><pattern/><filter/></defs>"
+        "<g display='none'/><rect width='3' height='3' clip-path='url(#c)' mask='url(#m)'/>"
+        "<text/><image/><foreignObject/><use href='#none'/>"
+        "<path d='M0 0L1 2' fill='none' stroke='none'/><path d='M1 1L1 1'/>"
+        "<path d='M0 0L9 0L9 0L0 9'/>";
+    for (const int times : {1, 3}) {
+      const QString text =
+          "<svg xmlns='http://www.w3.org/2000/svg' width='64' height='64'><style>" +
+          QString("a:hover{fill:none}").repeated(times) + "</style>" + one.repeated(times) +
+          "</svg>";
+      const ImportedScene imported = sceneFromSvg(text.toStdString(), "drawing.svg", {});
+      const QString german = importForPeople(imported);
+      for (const QString& clause : german.split(QRegularExpression("[,;:] "))) {
+        const std::string english = imported.note();
+        QVERIFY2(!english.empty() && !isEnglish(clause) &&
+                     !QString::fromStdString(english).contains(clause),
+                 qPrintable(QString::fromStdString(english) + " -> " + german));
+      }
+      QCOMPARE(german.count(','), QString::fromStdString(imported.note()).count(','));
+      QVERIFY2(german.count(',') >= 14, qPrintable(german));
+    }
+    QCOMPARE(importForPeople({{}, "3 curves of DejaVu Sans, scaled by 1/16 and centred", {}}),
+             QString("3 Kurven aus DejaVu Sans, mit 1/16 skaliert und zentriert"));
+    QCOMPARE(importForPeople({{}, "1 curve, y turned up, centred", "left out: 1 text"}),
+             QString("1 Kurve, y nach oben gewendet, zentriert; ausgelassen: 1 Text"));
+    QCOMPARE(coreWords("has no curve to show; left out: 2 images, 1 mask"),
+             coreWords("has no curve to show") + "; ausgelassen: 2 Bilder, 1 Maske");
   }
 
   /// Every malformed example: why it is refused, or what was mended.

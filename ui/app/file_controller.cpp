@@ -85,7 +85,7 @@ void FileController::openFile(const QString& name) {
       // A drawing starts a scene of its own: saving must not replace the drawing.
       ImportedScene imported = loadSvgToShow(name);
       document_.start(std::move(imported.scene), QFileInfo(name).fileName());
-      messages_.showNote(QString::fromStdString(imported.note()));
+      messages_.showNote(importForPeople(imported));
     } else {
       document_.open(toPath(name));
       messages_.hide();

@@ -11,6 +11,7 @@
 #include <QPushButton>
 
 #include "flatland/io/input_error.h"
+#include "ui/model/core_sentences.h"
 #include "ui/model/core_words.h"
 
 namespace flatland::ui {
@@ -112,7 +113,7 @@ void GlyphDialog::refresh() {
   QString message;
   try {
     imported = glyphScene(name());
-    message = QString::fromStdString(imported.note());
+    message = importForPeople(imported);
   } catch (const InputError& error) {
     message = coreWords(error.reason());
   }

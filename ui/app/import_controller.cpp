@@ -53,7 +53,7 @@ void ImportController::add(const ImportedScene& imported, const QString& what) {
     for (std::size_t k = 0; k < count; ++k) points.insert({before + i, k});
   }
   models_.selection.setPoints(std::move(points));
-  messages_.showNote(QString::fromStdString(imported.note()));
+  messages_.showNote(importForPeople(imported));
 }
 
 }  // namespace flatland::ui

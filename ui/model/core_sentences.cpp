@@ -110,7 +110,47 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "no such panel; there are %1"),
     QT_TRANSLATE_NOOP("Core", "no such equation; there are %1"),
     QT_TRANSLATE_NOOP("Core", "\"%1\": %2"),
+    // flatland/io/left_out.h, comfortable.cpp, svg_file.cpp, ui/import/glyph.cpp: what an import
+    // did
+    QT_TRANSLATE_NOOP("Core", "y turned up"),
+    QT_TRANSLATE_NOOP("Core", "scaled by %1 and centred"),
+    QT_TRANSLATE_NOOP("Core", "centred"),
+    QT_TRANSLATE_NOOP("Core", "1 gradient"),
+    QT_TRANSLATE_NOOP("Core", "%1 gradients"),
+    QT_TRANSLATE_NOOP("Core", "1 pattern"),
+    QT_TRANSLATE_NOOP("Core", "%1 patterns"),
+    QT_TRANSLATE_NOOP("Core", "1 filter"),
+    QT_TRANSLATE_NOOP("Core", "%1 filters"),
+    QT_TRANSLATE_NOOP("Core", "1 style rule"),
+    QT_TRANSLATE_NOOP("Core", "%1 style rules"),
+    QT_TRANSLATE_NOOP("Core", "1 hidden element"),
+    QT_TRANSLATE_NOOP("Core", "%1 hidden elements"),
+    QT_TRANSLATE_NOOP("Core", "1 clip path"),
+    QT_TRANSLATE_NOOP("Core", "%1 clip paths"),
+    QT_TRANSLATE_NOOP("Core", "1 mask"),
+    QT_TRANSLATE_NOOP("Core", "%1 masks"),
+    QT_TRANSLATE_NOOP("Core", "1 text"),
+    QT_TRANSLATE_NOOP("Core", "%1 texts"),
+    QT_TRANSLATE_NOOP("Core", "1 image"),
+    QT_TRANSLATE_NOOP("Core", "%1 images"),
+    QT_TRANSLATE_NOOP("Core", "1 foreign object"),
+    QT_TRANSLATE_NOOP("Core", "%1 foreign objects"),
+    QT_TRANSLATE_NOOP("Core", "1 reference to what is not there"),
+    QT_TRANSLATE_NOOP("Core", "%1 references to what is not there"),
+    QT_TRANSLATE_NOOP("Core", "1 shape with neither fill nor stroke"),
+    QT_TRANSLATE_NOOP("Core", "%1 shapes with neither fill nor stroke"),
+    QT_TRANSLATE_NOOP("Core", "1 subpath without length"),
+    QT_TRANSLATE_NOOP("Core", "%1 subpaths without length"),
+    QT_TRANSLATE_NOOP("Core", "1 segment of zero length"),
+    QT_TRANSLATE_NOOP("Core", "%1 segments of zero length"),
+    QT_TRANSLATE_NOOP("Core", "1 curve of %1"),
+    QT_TRANSLATE_NOOP("Core", "%1 curves of %2"),
+    QT_TRANSLATE_NOOP("Core", "1 curve"),
+    QT_TRANSLATE_NOOP("Core", "%1 curves"),
 };
+
+// Its value is a list with commas, each of which is a clause of its own.
+constexpr const char* kLeftOut = QT_TRANSLATE_NOOP("Core", "left out: %1");
 
 struct Sentence {
   const char* english;
@@ -137,9 +177,21 @@ const std::vector<Sentence>& sentences() {
   return kForms;
 }
 
+QString clausesInWords(const QString& english) {
+  const QString comma = QStringLiteral(", ");
+  QStringList clauses = english.split(comma);
+  for (QString& clause : clauses) clause = coreWords(clause.toStdString());
+  return clauses.join(comma);
+}
+
 }  // namespace
 
 std::optional<QString> sentenceInWords(const QString& english) {
+  static const QString leftOut = QString::fromLatin1(kLeftOut).remove(QStringLiteral("%1"));
+  if (english.startsWith(leftOut)) {
+    return QCoreApplication::translate("Core", kLeftOut)
+        .arg(clausesInWords(english.mid(leftOut.size())));
+  }
   for (const Sentence& sentence : sentences()) {
     const QRegularExpressionMatch match = sentence.form.match(english);
     if (!match.hasMatch()) continue;
@@ -153,6 +205,12 @@ std::optional<QString> sentenceInWords(const QString& english) {
     return text;
   }
   return std::nullopt;
+}
+
+QString importForPeople(const ImportedScene& imported) {
+  const QString done = clausesInWords(QString::fromStdString(imported.done));
+  if (imported.leftOut.empty()) return done;
+  return done + QStringLiteral("; ") + coreWords(imported.leftOut);
 }
 
 QString errorForPeople(const InputError& error) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "flatland/io/input_error.h"
+#include "flatland/io/svg_file.h"
 
 namespace flatland::ui {
 
@@ -16,5 +17,8 @@ std::optional<QString> sentenceInWords(const QString& english);
 /// Why an input is refused, for a person: source, place and reason, the latter two in the person's
 /// language where their form is known.
 QString errorForPeople(const InputError& error);
+
+/// What an import did and left out, for a person: its note() in the person's language.
+QString importForPeople(const ImportedScene& imported);
 
 }  // namespace flatland::ui

@@ -2244,6 +2244,150 @@
         <source>panes, ink, swept and plane came with version 4; write &quot;flatland&quot;: 4</source>
         <translation>panes, ink, swept und plane kamen mit Version 4; dafür &quot;flatland&quot;: 4 schreiben</translation>
     </message>
+    <message>
+        <source>y turned up</source>
+        <translation>y nach oben gewendet</translation>
+    </message>
+    <message>
+        <source>scaled by %1 and centred</source>
+        <translation>mit %1 skaliert und zentriert</translation>
+    </message>
+    <message>
+        <source>centred</source>
+        <translation>zentriert</translation>
+    </message>
+    <message>
+        <source>1 gradient</source>
+        <translation>1 Verlauf</translation>
+    </message>
+    <message>
+        <source>%1 gradients</source>
+        <translation>%1 Verläufe</translation>
+    </message>
+    <message>
+        <source>1 pattern</source>
+        <translation>1 Muster</translation>
+    </message>
+    <message>
+        <source>%1 patterns</source>
+        <translation>%1 Muster</translation>
+    </message>
+    <message>
+        <source>1 filter</source>
+        <translation>1 Filter</translation>
+    </message>
+    <message>
+        <source>%1 filters</source>
+        <translation>%1 Filter</translation>
+    </message>
+    <message>
+        <source>1 style rule</source>
+        <translation>1 Stilregel</translation>
+    </message>
+    <message>
+        <source>%1 style rules</source>
+        <translation>%1 Stilregeln</translation>
+    </message>
+    <message>
+        <source>1 hidden element</source>
+        <translation>1 verborgenes Element</translation>
+    </message>
+    <message>
+        <source>%1 hidden elements</source>
+        <translation>%1 verborgene Elemente</translation>
+    </message>
+    <message>
+        <source>1 clip path</source>
+        <translation>1 Beschneidungspfad</translation>
+    </message>
+    <message>
+        <source>%1 clip paths</source>
+        <translation>%1 Beschneidungspfade</translation>
+    </message>
+    <message>
+        <source>1 mask</source>
+        <translation>1 Maske</translation>
+    </message>
+    <message>
+        <source>%1 masks</source>
+        <translation>%1 Masken</translation>
+    </message>
+    <message>
+        <source>1 text</source>
+        <translation>1 Text</translation>
+    </message>
+    <message>
+        <source>%1 texts</source>
+        <translation>%1 Texte</translation>
+    </message>
+    <message>
+        <source>1 image</source>
+        <translation>1 Bild</translation>
+    </message>
+    <message>
+        <source>%1 images</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>1 foreign object</source>
+        <translation>1 Fremdobjekt</translation>
+    </message>
+    <message>
+        <source>%1 foreign objects</source>
+        <translation>%1 Fremdobjekte</translation>
+    </message>
+    <message>
+        <source>1 reference to what is not there</source>
+        <translation>1 Verweis auf Fehlendes</translation>
+    </message>
+    <message>
+        <source>%1 references to what is not there</source>
+        <translation>%1 Verweise auf Fehlendes</translation>
+    </message>
+    <message>
+        <source>1 shape with neither fill nor stroke</source>
+        <translation>1 Form ohne Füllung und Strich</translation>
+    </message>
+    <message>
+        <source>%1 shapes with neither fill nor stroke</source>
+        <translation>%1 Formen ohne Füllung und Strich</translation>
+    </message>
+    <message>
+        <source>1 subpath without length</source>
+        <translation>1 Teilpfad ohne Länge</translation>
+    </message>
+    <message>
+        <source>%1 subpaths without length</source>
+        <translation>%1 Teilpfade ohne Länge</translation>
+    </message>
+    <message>
+        <source>1 segment of zero length</source>
+        <translation>1 Segment der Länge null</translation>
+    </message>
+    <message>
+        <source>%1 segments of zero length</source>
+        <translation>%1 Segmente der Länge null</translation>
+    </message>
+    <message>
+        <source>1 curve of %1</source>
+        <translation>1 Kurve aus %1</translation>
+    </message>
+    <message>
+        <source>%1 curves of %2</source>
+        <translation>%1 Kurven aus %2</translation>
+    </message>
+    <message>
+        <source>1 curve</source>
+        <translation>1 Kurve</translation>
+    </message>
+    <message>
+        <source>%1 curves</source>
+        <translation>%1 Kurven</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>ausgelassen: %1</translation>
+    </message>
 </context>
 <context>
     <name>EditMenus</name>
