@@ -228,7 +228,9 @@ void GlPainter::paint(const SurfacePicture& picture, const QSize& pixels, double
   glDisable(GL_BLEND);
   // What is turned away lies behind what is not, unless the surface passes through itself: then a
   // picture that is gone in a moment is a little wrong. Near a viewer the front may be cut away.
-  const bool culls = inMotion && isClosed_ && !projection.distance;
+  // A revolved curve that crosses itself has whole rooms turned inside out.
+  const bool culls =
+      inMotion && isClosed_ && !projection.distance && !picture.setting.swept.has_value();
   if (culls) glEnable(GL_CULL_FACE);
   glDepthFunc(GL_LESS);
   glEnable(GL_POLYGON_OFFSET_FILL);
