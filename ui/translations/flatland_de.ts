@@ -4409,6 +4409,10 @@
         <source>none</source>
         <translation>keiner</translation>
     </message>
+    <message>
+        <source>t&lt;sub&gt;A&lt;/sub&gt; has no sign of its own: colours and the reading at the pointer take it towards larger λ, the other way round than here, and the three terms with it.</source>
+        <translation>t&lt;sub&gt;A&lt;/sub&gt; hat kein eigenes Vorzeichen: Farben und die Werte am Zeiger nehmen es zu größerem λ hin, hier ist es umgekehrt, und die drei Terme mit ihm.</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::DockTitle</name>

@@ -200,7 +200,12 @@ QString DerivationPanel::matrices(const SurfacePlace& place) const {
                              .arg(numberForPeople(m.seen->feature), numberForPeople(m.seen->offset),
                                   numberForPeople(m.seen->perspective)));
   }
-  return "<table cellspacing='0'>" + rows + "</table>";
+  const QString table = "<table cellspacing='0'>" + rows + "</table>";
+  if (!m.seen || m.seen->sum() >= 0.0) return table;
+  return table + "<p>" +
+         tr("t<sub>A</sub> has no sign of its own: colours and the reading at the pointer take it "
+            "towards larger λ, the other way round than here, and the three terms with it.") +
+         "</p>";
 }
 
 /// What the sum of a step is made of.

@@ -71,7 +71,8 @@ inline constexpr std::array<float, 3> kLight = {-0.348f, 0.447f, 0.824f};
 /// How much nearer, in units of clip space, a line counts than the surface it lies on.
 inline constexpr float kLineBias = 2e-3f;
 inline constexpr float kDashPx = 4.0f;  ///< of hidden lines: a dash, and a gap, to right or upward
-inline constexpr float kHiddenInk = 0.5f;  ///< opacity of lines that are hidden, dashed or not
+/// Opacity of lines that are hidden, dashed or not: the share that paler() keeps in files.
+inline constexpr float kHiddenInk = 5.0f / 12.0f;
 
 /// The picture without OpenGL, the same but for the smoothing of edges. Works in any thread and at
 /// any size; about 50 ms a megapixel. Lines are `ratio` times as wide as they are in the window.
