@@ -34,6 +34,17 @@ TEST(PlaceFree, LeavesOutWhereAnyPlaceCoversSomething) {
   EXPECT_TRUE(placer.placeFree(Vec2(200.0, 0.0), half, left)) << "elsewhere there is room";
 }
 
+TEST(IsFree, SaysWhetherABoxIsCovered) {
+  LabelPlacer placer;
+  placer.block(Vec2(100.0, 50.0), Vec2(70.0, 4.0));  // wider than a square of the search
+  const Vec2 half(4.5, 6.0);
+  EXPECT_FALSE(placer.isFree(Vec2(100.0, 50.0), half));
+  EXPECT_FALSE(placer.isFree(Vec2(174.0, 50.0), half));
+  EXPECT_FALSE(placer.isFree(Vec2(26.0, 59.5), half));
+  EXPECT_TRUE(placer.isFree(Vec2(174.6, 50.0), half));
+  EXPECT_TRUE(placer.isFree(Vec2(100.0, 60.1), half));
+}
+
 TEST(SpreadApart, LeavesWhatIsFarEnough) {
   EXPECT_TRUE(spreadApart({}, 10.0).empty());
   EXPECT_EQ(spreadApart({7.0}, 10.0), std::vector<double>{7.0});

@@ -20,9 +20,10 @@ constexpr double kScreenSymbolPx = 6.5;
 constexpr double kLetterOffPx = 16.0;      // of the letters from the screen
 constexpr double kRidgeOvershootPx = 8.0;  // of an apparent ridge's line beyond the screen
 const Vec2 kLetterHalf(4.5, 6.0);
-// With more marks than this in the figure, as in a drawing of many strokes, a letter is left out
-// where it would cover another letter or a symbol.
+// With more letters than this that do not fit beside the screen, as in a drawing of many strokes,
+// those in one place are thinned out; fewer spill over.
 constexpr std::size_t kLetteredMarks = 40;
+constexpr double kEyePx = 15.0;  // half side of what an eye takes, the larger one of the canvas
 constexpr double kTolerancePx = 0.02;  // of cubics standing for other curves
 
 /// Builds the figure of one scene. The parts may come in any order (FlatLayers).
@@ -45,13 +46,11 @@ class Builder {
     addControlPolygons();
     addCurves();
     addScreen();
+    crowded_ = !fitBesideScreen(lettersAtScreen());
     for (const Mark& mark : features_.marks) {
       if (shows(mark)) addMark(mark);
     }
-    if (options_.letters) {
-      addLettersAtCurve();
-      addLettersAtScreen();
-    }
+    if (options_.letters) addLetters();
     addViewer();
     return assembled();
   }
@@ -257,30 +256,35 @@ class Builder {
           .shapes.emplace_back(markSymbol(mark.kind, at, kSymbolSizePx, acrossRad(mark),
                                           options_.palette, !mark.visible));
     }
-    const std::optional<double> s = screenPlace(mark.point);
-    if (!s || *s < screen_.low || *s > screen_.high) return;
+    const std::optional<double> s = placeOnDrawnScreen(mark);
+    if (!s) return;
     const Vec2 seen = onScreen(*s);
     const Rgb colour = shade(style.colour, mark.visible);
     const Stroke ray{
         .colour = colour, .width = style.lineWidth, .dash = style.dash, .roundCaps = true};
     const Vec2 along = (seen - at).normalized();
+    if (mark.visible || !crowded_) addLine(layers_.group(FlatLayer::Rays, mark), at, seen, ray);
     if (mark.kind == MarkKind::ApparentRidge) {
-      addLine(layers_.group(FlatLayer::Rays, mark), at, seen, ray);
       addLine(layers_.group(FlatLayer::Marks, mark), seen, seen + kRidgeOvershootPx * along, ray);
-    } else {
-      addLine(layers_.group(FlatLayer::Rays, mark), at, seen, ray);
-      if (isInside(seen)) {
-        layers_.group(FlatLayer::Marks, mark)
-            .shapes.emplace_back(markSymbol(mark.kind, seen, kScreenSymbolPx,
-                                            std::atan2(towards_.y(), towards_.x()),
-                                            options_.palette, !mark.visible));
-      }
+    } else if (isInside(seen)) {
+      layers_.group(FlatLayer::Marks, mark)
+          .shapes.emplace_back(markSymbol(mark.kind, seen, kScreenSymbolPx,
+                                          std::atan2(towards_.y(), towards_.x()), options_.palette,
+                                          !mark.visible));
     }
     if (frame_.distance && mark.visible && showsViewer(scene_, screen_)) {
       addLine(layers_.group(FlatLayer::Sight), seen, toFigure_(frame_.eye()),
               {.colour = colours_.faint, .width = 0.8});
     }
   }
+
+  /// Where on the screen the mark is seen, if the screen is drawn there.
+  std::optional<double> placeOnDrawnScreen(const Mark& mark) const {
+    const std::optional<double> s = screenPlace(mark.point);
+    return s && *s >= screen_.low && *s <= screen_.high ? s : std::nullopt;
+  }
+
+  bool getsLetter(const Mark& mark) const { return shows(mark) && (mark.visible || !crowded_); }
 
   TextShape letterOf(const Mark& mark, const Vec2& position) const {
     const MarkStyle& style = styleOf(mark.kind, options_.palette);
@@ -308,26 +312,41 @@ class Builder {
     }
   }
 
-  void addLettersAtCurve() {
+  /// Those at the screen come first: they have one place only, those at the curve have many.
+  void addLetters() {
     LabelPlacer placer;
+    for (const Mark& mark : features_.marks) {
+      if (!shows(mark)) continue;
+      const Vec2 at = toFigure_(mark.point);
+      if (isInside(at)) placer.block(at, Vec2::Constant(0.55 * kSymbolSizePx));
+      const std::optional<double> s = placeOnDrawnScreen(mark);
+      if (s && isInside(onScreen(*s)))
+        placer.block(onScreen(*s), Vec2::Constant(0.55 * kScreenSymbolPx));
+    }
+    if (options_.eye) {
+      placer.block(*options_.eye, Vec2::Constant(kEyePx));
+    } else if (showsViewer(scene_, screen_) && isInside(toFigure_(frame_.eye()))) {
+      placer.block(toFigure_(frame_.eye()), Vec2::Constant(kEyePx));
+    }
+    addLettersAtScreen(placer);
+    addLettersAtCurve(placer);
+  }
+
+  void addLettersAtCurve(LabelPlacer& placer) {
     for (const SceneCurve& curve : scene_.curves) discourageCurve(placer, curve);
     std::vector<const Mark*> marks;
     for (const Mark& mark : features_.marks) {
       const Vec2 at = toFigure_(mark.point);
-      if (!shows(mark) || !isInside(at)) continue;
+      if (!getsLetter(mark) || !isInside(at)) continue;
       marks.push_back(&mark);
-      placer.block(at, Vec2::Constant(0.55 * kSymbolSizePx));
       // The start of the line to the screen, as far as letters go.
       for (double along = 8.0; along < 34.0; along += 3.0) placer.discourage(at + along * towards_);
     }
     // What is seen takes the best places.
     std::stable_partition(marks.begin(), marks.end(), [](const Mark* m) { return m->visible; });
-    const bool crowded = marks.size() > kLetteredMarks;
     for (const Mark* mark : marks) {
       const Vec2 at = toFigure_(mark->point);
-      const auto place = crowded ? placer.placeFree(at, kLetterHalf, -towards_)
-                                 : std::optional(placer.place(at, kLetterHalf, -towards_));
-      if (place)
+      if (const auto place = placer.placeFree(at, kLetterHalf, -towards_))
         layers_.group(FlatLayer::Letters, *mark).shapes.emplace_back(letterOf(*mark, *place));
     }
   }
@@ -355,25 +374,34 @@ class Builder {
     letters = std::move(kept);
   }
 
-  void addLettersAtScreen() {
+  std::vector<Letter> lettersAtScreen() const {
     std::vector<Letter> letters;
-    const double unit = toFigure_.scale;
     for (const Mark& mark : features_.marks) {
-      if (!shows(mark)) continue;
-      const std::optional<double> s = screenPlace(mark.point);
-      if (!s || *s < screen_.low || *s > screen_.high || !isInside(onScreen(*s))) continue;
-      letters.push_back({&mark, *s * unit});
+      if (!getsLetter(mark)) continue;
+      const std::optional<double> s = placeOnDrawnScreen(mark);
+      if (s && isInside(onScreen(*s))) letters.push_back({&mark, *s * toFigure_.scale});
     }
-    // Upright letters need less room side by side than one above the other.
-    const double gap = std::min(2.0 * kLetterHalf.x() / std::max(std::abs(axis_.x()), 1e-9),
-                                2.0 * kLetterHalf.y() / std::max(std::abs(axis_.y()), 1e-9)) +
-                       1.0;
-    // Where they do not all fit beside the screen, those of hidden marks go; the others spill over,
-    // unless there are very many.
-    const double room = (screen_.high - screen_.low) * unit;
-    const auto fit = [&] { return static_cast<double>(letters.size()) * gap <= room; };
-    if (!fit()) std::erase_if(letters, [](const Letter& l) { return !l.mark->visible; });
-    if (!fit() && letters.size() > kLetteredMarks) thinOut(letters, gap);
+    return letters;
+  }
+
+  /// Between letters along the screen. Upright ones need less room side by side than one above the
+  /// other.
+  double letterGap() const {
+    return std::min(2.0 * kLetterHalf.x() / std::max(std::abs(axis_.x()), 1e-9),
+                    2.0 * kLetterHalf.y() / std::max(std::abs(axis_.y()), 1e-9)) +
+           1.0;
+  }
+
+  bool fitBesideScreen(const std::vector<Letter>& letters) const {
+    const double room = (screen_.high - screen_.low) * toFigure_.scale;
+    return static_cast<double>(letters.size()) * letterGap() <= room;
+  }
+
+  void addLettersAtScreen(LabelPlacer& placer) {
+    std::vector<Letter> letters = lettersAtScreen();
+    const double unit = toFigure_.scale;
+    const double gap = letterGap();
+    if (letters.size() > kLetteredMarks && !fitBesideScreen(letters)) thinOut(letters, gap);
     std::stable_sort(letters.begin(), letters.end(),
                      [](const Letter& a, const Letter& b) { return a.at < b.at; });
     std::vector<double> wanted;
@@ -383,6 +411,8 @@ class Builder {
     for (std::size_t i = 0; i < letters.size(); ++i) {
       const Vec2 seen = onScreen(wanted[i] / unit);
       const Vec2 place = onScreen(placed[i] / unit) + kLetterOffPx * towards_;
+      if (!placer.isFree(place, kLetterHalf)) continue;
+      placer.block(place, kLetterHalf);
       FigureGroup& to = layers_.group(FlatLayer::Letters, *letters[i].mark);
       constexpr double kLeaderFromPx = 4.0;  // displaced by more, a letter gets a leader
       if (std::abs(placed[i] - wanted[i]) > kLeaderFromPx) {
@@ -429,7 +459,8 @@ class Builder {
   ViewFrame frame_;
   ScreenLine screen_;
   FigureTransform toFigure_;
-  Vec2 axis_, towards_;  // of the view, in the figure
+  Vec2 axis_, towards_;   // of the view, in the figure
+  bool crowded_ = false;  // the letters do not all fit beside the screen
   FlatLayers layers_;
 };
 

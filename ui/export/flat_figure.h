@@ -36,6 +36,10 @@ struct FlatFigureOptions {
   /// screenLine().
   std::optional<double> screenOffset;
 
+  /// Given: an eye is painted there by another, px; letters keep clear of it as of the figure's
+  /// own.
+  std::optional<Vec2> eye;
+
   MarkKinds kinds = defaultMarkKinds();
   Palette palette = Palette::Light;
   enum class Hidden { Pale, Remove } hidden = Hidden::Pale;
@@ -72,9 +76,10 @@ FigureTransform fittedTransform(const Scene& scene, const FlatFigureOptions& opt
 /// letters on both, projecting lines. `features` and `visibility` must be those of `scene`.
 /// Groups from below: control-polygon, rays-<kind>[-hidden], sight, curve-hidden, curve, screen,
 /// image, marks-<kind>[-hidden], letters-<kind>[-hidden], viewer, legend; empty ones are left out.
-/// Lines longer than the figure are cut to it, so any zoom is safe. With more than
-/// 40 marks in it, letters for which there is no room are left out; zooming in brings them back.
-/// Cost: about a millisecond for a few curves.
+/// Lines longer than the figure are cut to it, so any zoom is safe. A letter that would cover
+/// another, a symbol or the eye is left out. Where the letters do not all fit side by side along
+/// the screen, the letters and projecting lines of hidden marks are left out; symbols stay. Zooming
+/// in brings them back. Cost: about a millisecond for a few curves.
 Figure flatFigure(const Scene& scene, const FeatureSet& features, const Visibility& visibility,
                   const FlatFigureOptions& options);
 

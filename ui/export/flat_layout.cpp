@@ -66,6 +66,7 @@ FlatFigureOptions atUnitScale(FlatFigureOptions options) {
     options.transform->scale /= scale;
     options.transform->origin /= scale;
   }
+  if (options.eye) *options.eye /= scale;
   return options;
 }
 

@@ -52,6 +52,20 @@ void LabelPlacer::block(const Vec2& centre, const Vec2& half) {
   largestHalf_ = largestHalf_.cwiseMax(half);
 }
 
+bool LabelPlacer::isFree(const Vec2& centre, const Vec2& half) const {
+  const Vec2 reach = half + largestHalf_;
+  const auto low = cellOf(centre - reach), high = cellOf(centre + reach);
+  for (int column = low.first; column <= high.first; ++column) {
+    auto at = cells_.lower_bound({column, low.second});
+    for (; at != cells_.end() && at->first <= std::pair(column, high.second); ++at) {
+      for (const Box& box : at->second.boxes) {
+        if (((half + box.half) - (centre - box.centre).cwiseAbs()).minCoeff() > 0.0) return false;
+      }
+    }
+  }
+  return true;
+}
+
 void LabelPlacer::discourage(const Vec2& point) { cells_[cellOf(point)].points.push_back(point); }
 
 Vec2 LabelPlacer::place(const Vec2& anchor, const Vec2& half, const Vec2& preferred) {

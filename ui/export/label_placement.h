@@ -21,6 +21,9 @@ class LabelPlacer {
   /// A box that a label must not cover: another label or a symbol.
   void block(const Vec2& centre, const Vec2& half);
 
+  /// True if a label there would cover no box.
+  bool isFree(const Vec2& centre, const Vec2& half) const;
+
   /// Something a label had better not cover, as a dense row of points; less is better.
   void discourage(const Vec2& point);
 

@@ -121,6 +121,8 @@ class CanvasPainter {
     options.hidden = models_.display.showsHidden() ? FlatFigureOptions::Hidden::Pale
                                                    : FlatFigureOptions::Hidden::Remove;
     options.legend = false;
+    const QPointF eye = handlePlace(models_, canvas_).at / scale_;
+    options.eye = Vec2(eye.x(), eye.y());
     options.transparent = true;  // the ring is below
     Figure figure = flatFigure(models_.document.scene(), models_.document.features(),
                                models_.document.visibility(), options);
