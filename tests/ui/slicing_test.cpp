@@ -163,6 +163,12 @@ class SlicingTest : public QObject, private BridgingWindow {
     auto& table = d.child<QTableWidget>("section.pairs");
     auto& flat = d.child<CrossingOverlay>("canvas.crossings");
     QVERIFY(table.rowCount() > 1);
+    // Nobody has selected one.
+    QVERIFY(!section().chosen() && chosenSpots(section(), projection()).empty());
+    QVERIFY(flat.chosen().empty());
+    table.setFocus(Qt::TabFocusReason);
+    setPlaneBeside();
+    QVERIFY(!section().chosen());
     for (const int row : {1, 0}) {
       QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
                         table.visualItemRect(table.item(row, 0)).center());
@@ -178,12 +184,34 @@ class SlicingTest : public QObject, private BridgingWindow {
       QVERIFY((spots.back() - *at).norm() < 1e-9);
       QCOMPARE(flat.chosen().back().toPoint(), d.at(mark.mark.point));
     }
+    // Another cut keeps the row.
+    table.selectRow(1);
+    const auto chosen = section().chosen();
+    setPlaneBeside();
+    QCOMPARE(table.currentRow(), 1);
+    QVERIFY(chosen && section().chosen() == chosen);
     // The curve that was asked for has as much room as the surface.
     QVERIFY(d.canvas().isVisible());
     QVERIFY(d.canvas().width() > surface().width() * 9 / 10);
     QTest::mouseClick(&d.child<QPushButton>("section.remove"), Qt::LeftButton);
     QVERIFY(quiet());
     QVERIFY(!section().chosen() && flat.chosen().empty());
+  }
+
+  void aPlaneThatIsBeingCutIsNotMissing() {
+    WindowDriver& d = *driver_;
+    d.trigger("surface.solid.torus");
+    QVERIFY(quiet());
+    const auto& state = d.child<QLabel>("section.state");
+    QVERIFY(state.text().startsWith("No plane yet"));
+    SurfaceSetting setting = *d.scene().surface;
+    setting.plane = SurfacePlane{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
+    d.document().push(std::make_unique<SetSurface>(d.document(), setting, "cut"));
+    QVERIFY(section().isStale() && !section().view());
+    QCOMPARE(state.text(), QString("The surface is being cut."));
+    QVERIFY(quiet());
+    QVERIFY(section().view());
+    QVERIFY2(!state.text().contains("being cut"), qPrintable(state.text()));
   }
 
   void aSectionIsSeenWhereCurvesWereAway() {
@@ -493,6 +521,15 @@ class SlicingTest : public QObject, private BridgingWindow {
   }
 
  private:
+  /// Cuts a little beside, and back.
+  void setPlaneBeside() {
+    auto& height = driver_->child<QDoubleSpinBox>("section.height");
+    const double before = height.value();
+    for (const double value : {before + 1e-3, before}) {
+      height.setValue(value);
+      QVERIFY(quiet());
+    }
+  }
   QPushButton& showSection() {
     driver_->window().docks().show("section");
     driver_->settle();

@@ -6236,6 +6236,18 @@
         <source>No plane yet. A button above puts one through the surface; its round handles turn it, the square moves it.</source>
         <translation>Noch keine Ebene. Ein Knopf oben legt eine durch die Fläche; die runden Griffe drehen sie, das Quadrat verschiebt sie.</translation>
     </message>
+    <message>
+        <source>The surface is being cut.</source>
+        <translation>Die Fläche wird geschnitten.</translation>
+    </message>
+    <message>
+        <source>The surface could not be cut here.</source>
+        <translation>Die Fläche ließ sich hier nicht schneiden.</translation>
+    </message>
+    <message>
+        <source>Select a row: here it says why the pair differs.</source>
+        <translation>Eine Zeile wählen: Hier steht, warum das Paar sich unterscheidet.</translation>
+    </message>
 </context>
 <context>
     <name>flatland::ui::StatusLine</name>

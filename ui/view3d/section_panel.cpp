@@ -49,6 +49,12 @@ QStringList cellsOf(const SectionView& section, std::size_t index) {
   return {ridge, mark, apart, angle};
 }
 
+/// -1: none. That a row has the keys does not select it.
+int selectedRow(const QTableWidget& table) {
+  const QModelIndexList rows = table.selectionModel()->selectedRows();
+  return rows.isEmpty() ? -1 : rows.front().row();
+}
+
 }  // namespace
 
 SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
@@ -108,9 +114,13 @@ SectionPanel::SectionPanel(const SurfaceModels& models, QWidget* parent)
     if (change.touchesSurface()) showPlane();
     if (change.touchesScene() || change.touchesSurface()) showSection();
   });
-  connect(&models_.source, &SurfaceSource::changed, this, &SectionPanel::showPlane);
+  connect(&models_.source, &SurfaceSource::changed, this, [this] {
+    showPlane();
+    showSection();
+  });
   connect(&models_.pick, &SurfacePick::changed, this, &SectionPanel::showPlane);
   connect(&models_.bridges.section, &SectionSource::changed, this, &SectionPanel::showSection);
+  connect(&models_.bridges.section, &SectionSource::failed, this, &SectionPanel::showSection);
   showPlane();
   showSection();
 }
@@ -264,10 +274,15 @@ void SectionPanel::showSection() {
   open_->setToolTip(why.isEmpty() ? tip : why);
   QStringList lines = section ? sectionWords(*section) : QStringList();
   if (section && !why.isEmpty() && !lines.contains(why)) lines << why;
-  if (!section && models_.document.scene().surface) {
+  const auto& surface = models_.document.scene().surface;
+  if (surface && !surface->plane) {
     lines << tr(
         "No plane yet. A button above puts one through the surface; its round handles turn "
         "it, the square moves it.");
+  } else if (surface && !section && models_.source.surface()) {
+    // The first cut of a scan takes a while, and one that failed leaves nothing.
+    lines << (models_.bridges.section.isStale() ? tr("The surface is being cut.")
+                                                : tr("The surface could not be cut here."));
   }
   state_->setText(lines.join('\n'));
   showTable();
@@ -281,7 +296,7 @@ bool SectionPanel::isWeak(const SectionPair& pair) const {
 
 void SectionPanel::showTable() {
   const auto& section = models_.bridges.section.view();
-  const int row = table_->currentRow();
+  const int row = selectedRow(*table_);
   rows_.clear();
   int weaker = 0;
   for (std::size_t i = 0; section && i < section->pairs.size(); ++i) {
@@ -297,7 +312,7 @@ void SectionPanel::showTable() {
         table_->setItem(i, column++, new QTableWidgetItem(text));
       }
     }
-    table_->selectRow(row >= 0 && row < count ? row : 0);
+    row >= 0 && row < count ? table_->selectRow(row) : table_->clearSelection();
   }
   weaker_->setText(weaker > 0 ? tr("%n weaker than the view's threshold left out", nullptr, weaker)
                               : QString());
@@ -306,11 +321,13 @@ void SectionPanel::showTable() {
 
 void SectionPanel::showSentence() {
   const auto& section = models_.bridges.section.view();
-  const int row = table_->currentRow();
+  const int row = selectedRow(*table_);
   const bool there = section && row >= 0 && row < static_cast<int>(rows_.size());
   std::optional<std::size_t> pair;
   if (there) pair = rows_[static_cast<std::size_t>(row)];
-  sentence_->setText(pair ? pairWords(section->pairs[*pair]) : QString());
+  sentence_->setText(pair            ? pairWords(section->pairs[*pair])
+                     : rows_.empty() ? QString()
+                                     : tr("Select a row: here it says why the pair differs."));
   models_.bridges.section.choose(pair);
 }
 
