@@ -9,7 +9,10 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPainter>
+#include <QScrollBar>
+#include <QSet>
 #include <QSvgRenderer>
+#include <QTextBrowser>
 #include <QToolButton>
 
 #include "tests/ui/support_window.h"
@@ -390,6 +393,38 @@ class LessonTest : public QObject {
     QVERIFY(misses.isVisible());
     QTest::mouseClick(&d.child<QToolButton>("lesson.leave"), Qt::LeftButton);
     QVERIFY(!misses.isVisible());
+  }
+
+  void theStripHasRoomForTheMisses() {
+    WindowDriver& d = *driver_;
+    d.window().resize(1280, 800);
+    d.trigger("lesson.shipped.apparent-ridge");
+    LessonModel& lesson = d.window().lesson();
+    d.window().display().setShowsPrintedRoots(true);
+    auto& words = d.child<QTextBrowser>("lesson.words");
+    const auto& misses = d.child<QLabel>("lesson.misses");
+    QSet<int> heights;
+    for (int i = 0; i < lesson.count(); ++i) {
+      lesson.goTo(i);
+      if (!lesson.equation()) continue;
+      d.settle();
+      heights << words.parentWidget()->height();
+      if (!misses.isVisible()) continue;
+      // What the equations have elsewhere, at the usual size of type.
+      const QWidget& equation = *d.child<QWidget>("lesson.formula").parentWidget();
+      QVERIFY2(equation.height() >= 200, qPrintable(QString::number(equation.height())));
+    }
+    QCOMPARE(heights.size(), 1);  // the picture stands still
+    lesson.goTo(0);
+    while (!(lesson.equation() == DerivationStep::Eq3_13)) lesson.next();
+    d.settle();
+    QVERIFY(misses.isVisible());
+    // No word is out of its column.
+    for (const int width : {1280, 1600}) {
+      d.window().resize(width, 800);
+      d.settle();
+      QCOMPARE(words.verticalScrollBar()->maximum(), 0);
+    }
   }
 
   void theFileMenuOpensALessonToo() {

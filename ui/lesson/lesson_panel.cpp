@@ -147,18 +147,24 @@ int LessonPanel::wantedHeight() const {
   const bool withEquation = lesson_.equation().has_value();
   const QMargins margins = layout()->contentsMargins();
   int room = width() - margins.left() - margins.right();
-  if (withEquation) room = room * kWordsShare / (kWordsShare + kEquationShare + kPlotShare);
+  if (withEquation) {
+    room -= 2 * layout()->spacing();  // between words, equation and plot
+    room = room * kWordsShare / (kWordsShare + kEquationShare + kPlotShare);
+  }
   QTextDocument words;
   words.setDefaultFont(words_->font());
   words.setTextWidth(room);
   double highest = withEquation ? kEquationHeight * display_.uiScale() : 0.0;
+  bool hasMisses = false;
   for (const LessonStep& step : lesson_.lesson().steps) {
     if (step.state.equation.has_value() != withEquation) continue;
+    hasMisses |= step.state.equation == DerivationStep::Eq3_13;
     words.setMarkdown(wordsOf(step));
     highest = std::max(highest, words.size().height());
   }
   const int header = leave_->sizeHint().height() + layout()->spacing();
-  return margins.top() + header + qCeil(highest) + margins.bottom();
+  const int misses = hasMisses ? layout()->spacing() + misses_->sizeHint().height() : 0;
+  return margins.top() + header + qCeil(highest) + misses + margins.bottom();
 }
 
 void LessonPanel::resizeEvent(QResizeEvent* event) {
