@@ -290,6 +290,50 @@ class LessonWindowTest : public QObject {
     QVERIFY(d().scene().surface->families == mine->families);
   }
 
+  void theEmptyPlaceOfASurfaceComesBack() {
+    d().trigger("view.layout.surface");
+    d().settle();
+    QVERIFY(!d().scene().surface && d().window().surfaceArea().isVisible());
+    startLesson("surface");
+    lesson().leave();
+    QVERIFY(d().surfaceQuiet());
+    QVERIFY(!d().scene().surface);
+    QVERIFY(d().window().surfaceArea().isVisible());
+  }
+
+  void theStripStaysAsThePersonHasIt() {
+    startLesson("surface");
+    auto& strip = d().child<QDockWidget>("lesson");
+    auto& words = d().child<QTextBrowser>("lesson.words");
+    const int wanted = strip.height();
+    d().window().resizeDocks({&strip}, {wanted + 60}, Qt::Vertical);
+    d().settle();
+    QCOMPARE(strip.height(), wanted + 60);
+    d().trigger("view.flat-beside");
+    d().settle();
+    QCOMPARE(strip.height(), wanted + 60);
+    // A layout that is entered has its room for the words.
+    d().trigger("view.restore-layout");
+    d().settle();
+    QCOMPARE(strip.height(), wanted);
+    // Closed, it is not opened by the curves, a width or a type.
+    strip.close();
+    d().settle();
+    d().trigger("view.flat-beside");
+    d().window().resize(1100, 800);
+    d().settle();
+    QVERIFY(!strip.isVisible());
+    QWidget& panel = *words.parentWidget();
+    QFont larger = panel.font();
+    larger.setPointSizeF(larger.pointSizeF() * 1.5);
+    panel.setFont(larger);
+    d().settle();
+    QVERIFY(!strip.isVisible());
+    d().trigger("view.layout.projector");
+    d().settle();
+    QVERIFY(seen("lesson"));
+  }
+
   void theArrangementComesBack() {
     d().window().surfaces().openSolid("torus:20");
     QVERIFY(d().surfaceQuiet());

@@ -169,8 +169,7 @@ void Docks::makeRoom(QDockWidget& dock) {
   window_.resizeDocks({&dock}, {qMin(wantedHeight(dock) + kTabsHeight, most)}, Qt::Vertical);
 }
 
-void Docks::showWithHeight(const char* id, int height) {
-  show(id);
+void Docks::setHeight(const char* id, int height) {
   for (QDockWidget* dock : all_) {
     if (dock->objectName() != QLatin1String(id) || dock->isFloating()) continue;
     const int title = dock->titleBarWidget()->sizeHint().height();

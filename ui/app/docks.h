@@ -51,8 +51,8 @@ class Docks {
   /// it as it needs, but no more than half.
   void show(const char* id);
 
-  /// The same, with its panel this many pixels high, but its row less than half of the window.
-  void showWithHeight(const char* id, int height);
+  /// Its panel this many pixels high, but its row less than half of the window; open or not.
+  void setHeight(const char* id, int height);
 
   void hide(const char* id);
 

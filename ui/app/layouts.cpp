@@ -93,6 +93,7 @@ void Layouts::use(Kind kind) {
   }
   enter(kind);
   emit changed();
+  emit entered();
 }
 
 void Layouts::toggleProjector() {
@@ -109,7 +110,7 @@ void Layouts::enter(Kind kind) {
 
 void Layouts::beginLesson() {
   states_[current_] = window_.saveState(kVersion);
-  own_ = Own{current_, beforeProjector_, flatBeside_};
+  own_ = Own{current_, beforeProjector_, flatBeside_, emptyWanted_};
   enter(current_);
 }
 
@@ -120,6 +121,7 @@ void Layouts::endLesson() {
   lessonOpened_.clear();
   lessonPanel_.clear();
   flatBeside_ = own.flatBeside;
+  emptyWanted_ = own.emptyWanted;
   if (current_ != Kind::Projector) {
     current_ = own.current == Kind::Projector ? own.beforeProjector : own.current;
   } else {
@@ -200,6 +202,7 @@ void Layouts::arrangeForLesson() {
 void Layouts::restoreDefault() {
   arrange();
   emit changed();  // what stands in it beside the docks goes by it
+  emit entered();
 }
 
 void Layouts::restore(const QSettings& settings) {
@@ -212,11 +215,12 @@ void Layouts::restore(const QSettings& settings) {
   if (kind && *kind != Kind::Projector) current_ = *kind;
   enter(current_);
   emit changed();
+  emit entered();
 }
 
 void Layouts::save(QSettings& settings) const {
   const bool projector = current_ == Kind::Projector;
-  const Own own = own_.value_or(Own{current_, beforeProjector_, flatBeside_});
+  const Own own = own_.value_or(Own{current_, beforeProjector_, flatBeside_, emptyWanted_});
   settings.setValue("window/flat-beside", own.flatBeside);
   settings.setValue("window/geometry", projector ? geometry_ : window_.saveGeometry());
   const Kind kept = own.current == Kind::Projector ? own.beforeProjector : own.current;

@@ -77,6 +77,7 @@ class Layouts : public QObject {
 
  signals:
   void changed();
+  void entered();  ///< after changed(): the panels were arranged anew, and not for a lesson's sake
 
  private:
   void enter(Kind kind);
@@ -104,7 +105,7 @@ class Layouts : public QObject {
 
   struct Own {
     Kind current, beforeProjector;
-    bool flatBeside;
+    bool flatBeside, emptyWanted;
   };
   std::optional<Own> own_;  ///< the person's, while a lesson is given
   QMap<Kind, QByteArray> lessonStates_;

@@ -55,7 +55,7 @@ LessonController::LessonController(LessonModel& lesson, Layouts& layouts, Docks&
   connect(&lesson_, &LessonModel::changed, this,
           [this] { lesson_.isOpen() ? showStrip() : end(); });
   connect(&strip_, &LessonPanel::heightWanted, this, &LessonController::showStrip);
-  connect(&layouts_, &Layouts::changed, this, [this] {
+  connect(&layouts_, &Layouts::entered, this, [this] {
     stripHeight_ = 0;
     showStrip();
   });
@@ -83,8 +83,10 @@ void LessonController::showStrip() {
   docks_.setHeading("lesson", tr("Lesson: %1").arg(QString::fromStdString(lesson_.lesson().title)));
   const int height = strip_.wantedHeight();
   if (height == stripHeight_) return;
+  if (stripHeight_ == 0) docks_.show("lesson");
+  if (!strip_.isVisibleTo(strip_.window())) return;  // whoever closed it wants it so
   stripHeight_ = height;
-  docks_.showWithHeight("lesson", height);
+  docks_.setHeight("lesson", height);
 }
 
 void LessonController::giveFocus() {

@@ -50,7 +50,7 @@ class LessonController : public QObject {
   QByteArray shares_;  ///< of surface and canvas, as the person had them
   bool given_ = false;
   bool flatWanted_ = true;
-  int stripHeight_ = 0;
+  int stripHeight_ = 0;  ///< 0: it is to be shown
 };
 
 }  // namespace flatland::ui
