@@ -157,6 +157,22 @@ QMessageBox::StandardButton FileController::askToSave(const QString& question,
   return static_cast<QMessageBox::StandardButton>(box.exec());
 }
 
+QString FileController::whatWouldBeLost() const {
+  const Scene& own = ownScene_ ? ownScene_() : document_.scene();
+  const int index = ownUndoIndex_ ? ownUndoIndex_() : document_.undoStack().index();
+  const UnsavedWork gone = workTakenOut(document_.undoStack(), index, own, document_.saved());
+  QStringList sentences;
+  if (!document_.file().empty()) {
+    sentences << tr("Lost otherwise: %1.").arg(changesForPeople(own, document_.saved()));
+  } else if (const UnsavedWork work = unsavedWork(own, document_.saved()); work.any()) {
+    sentences << tr("Lost otherwise: %1.").arg(workForPeople(work, own));
+  }
+  if (gone.any()) {
+    sentences << tr("Only Undo brings back what was taken out of it: %1.").arg(workForPeople(gone));
+  }
+  return sentences.join(" ");
+}
+
 bool FileController::mayDiscard() {
   const bool unsaved = hasUnsavedWork_ ? hasUnsavedWork_() : document_.isModified();
   if (hasLessonEdits_ && hasLessonEdits_()) {
@@ -175,14 +191,11 @@ bool FileController::mayDiscard() {
   const QString question = document_.file().empty()
                                ? tr("Save this scene?")
                                : tr("Save the changes to %1?").arg(shownName(document_));
-  const Scene& own = ownScene_ ? ownScene_() : document_.scene();
-  const auto answer =
-      replaced.isEmpty()
-          ? askToSave(question,
-                      tr("Lost otherwise: %1.").arg(unsavedWorkForPeople(own, document_.saved())))
-          : askToSave(tr("Save the scene that took the place of %1 (%2)?")
-                          .arg(shownName(document_), replaced),
-                      tr("It is lost otherwise."));
+  const auto answer = replaced.isEmpty()
+                          ? askToSave(question, whatWouldBeLost())
+                          : askToSave(tr("Save the scene that took the place of %1 (%2)?")
+                                          .arg(shownName(document_), replaced),
+                                      tr("It is lost otherwise."));
   switch (answer) {
     case QMessageBox::Save:
       return save();

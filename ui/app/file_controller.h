@@ -43,9 +43,11 @@ class FileController : public QObject {
 
   /// What mayDiscard() asks instead of Document::isModified(): a lesson is no work of the person's,
   /// whose own scene is another.
-  void setUnsavedWork(std::function<bool()> has, std::function<const Scene&()> scene) {
+  void setUnsavedWork(std::function<bool()> has, std::function<const Scene&()> scene,
+                      std::function<int()> undoIndex) {
     hasUnsavedWork_ = std::move(has);
     ownScene_ = std::move(scene);
+    ownUndoIndex_ = std::move(undoIndex);
   }
 
   /// Whether a lesson is open whose scene was changed: mayDiscard() offers to save that scene too,
@@ -67,6 +69,7 @@ class FileController : public QObject {
  private:
   /// Of Save, Discard and Cancel.
   QMessageBox::StandardButton askToSave(const QString& question, const QString& otherwise);
+  QString whatWouldBeLost() const;
   /// Asks for a name and writes what is shown, whatever the document's own file is.
   bool saveLessonScene();
   void forget(const QString& name);
@@ -79,6 +82,7 @@ class FileController : public QObject {
   QSettings* settings_;
   std::function<bool()> hasUnsavedWork_, hasLessonEdits_;
   std::function<const Scene&()> ownScene_;
+  std::function<int()> ownUndoIndex_;
   std::function<bool(const QString&)> other_;
 };
 

@@ -187,7 +187,8 @@ void MainWindow::connectParts() {
   // A file is about the person's own scene, never about a step's.
   connect(files_, &FileController::aboutToUseFile, &lesson_, &LessonModel::leave);
   files_->setUnsavedWork([this] { return lesson_.hasUnsavedWork(); },
-                         [this]() -> const Scene& { return lesson_.ownScene(); });
+                         [this]() -> const Scene& { return lesson_.ownScene(); },
+                         [this] { return lesson_.ownUndoIndex(); });
   files_->setLessonEdits([this] { return lesson_.hasEdits(); });
   connect(edits_, &EditController::refused, status_, &StatusLine::say);
   connect(&lesson_, &LessonModel::changed, this, &MainWindow::showTitle);

@@ -77,6 +77,9 @@ class SetSurface : public QUndoCommand {
   int id() const override;
   bool mergeWith(const QUndoCommand* other) override;
 
+  /// Of a command that is done: the surface there was before.
+  const std::optional<SurfaceSetting>& before() const { return surface_; }
+
  private:
   Document& document_;
   std::optional<SurfaceSetting> surface_;

@@ -32,6 +32,8 @@ class LessonModel : public QObject {
   /// Whether the person's own scene, which comes back when the lesson is left, is unsaved.
   bool hasUnsavedWork() const;
   const Scene& ownScene() const { return own_ ? own_->scene : document_.scene(); }
+  /// How many steps of the undo stack lead to it.
+  int ownUndoIndex() const { return own_ ? own_->undoIndex : document_.undoStack().index(); }
   /// Whether a lesson is open and there is work in the scene of its step that would be lost; where
   /// it is looked at from is none.
   bool hasEdits() const;

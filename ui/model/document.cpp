@@ -93,7 +93,8 @@ void Document::push(std::unique_ptr<QUndoCommand> command) {
 
 bool Document::isUnsaved(const Scene& scene, int undoIndex) const {
   if (undoIndex == undoStack_.cleanIndex()) return false;
-  return !file_.empty() || unsavedWork(scene, saved_).any();
+  return !file_.empty() || unsavedWork(scene, saved_).any() ||
+         workTakenOut(undoStack_, undoIndex, scene, saved_).any();
 }
 
 void Document::swapCurves(std::vector<SceneCurve>& curves) {

@@ -71,7 +71,7 @@ class Document : public QObject {
 
   QUndoStack& undoStack() { return undoStack_; }
   /// True if something would be lost: a file is not up to date, or a scene that never had one has
-  /// work in it (unsaved_work.h).
+  /// work in it, or had, which only undoing brings back (unsaved_work.h).
   bool isModified() const { return isUnsaved(scene_, undoStack_.index()); }
   /// The same for the scene there was at another place of the undo stack.
   bool isUnsaved(const Scene& scene, int undoIndex) const;

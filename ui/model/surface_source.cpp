@@ -99,6 +99,9 @@ void SurfaceSource::readAgain() {
 }
 
 void SurfaceSource::follow(const Change& change) {
+  // Another file or preset begins. Steps of undo or of a lesson do not come here: where a surface
+  // was closed, its step is on the stack, done or undone.
+  if (change.what == Change::What::Scene && document_.undoStack().count() == 0) closedLook_ = {};
   // What was to be put into a scene that is gone is not wanted in the next one.
   if (change.what == Change::What::Scene && (givenUp_ || (opensNew_ && isReading()))) {
     opening_.cancel();

@@ -28,7 +28,7 @@ class SurfaceSource : public QObject {
   /// Reads a mesh file, or makes a solid ("solid:torus"), and puts it beside the curves: one undo
   /// step, done when it has been read. If it cannot be read, failed() tells why and nothing
   /// changes, and nothing comes of it if another scene is opened meanwhile. A surface that is there
-  /// lends its families and style to the next one, and so does the one that was closed last.
+  /// lends its families and style to the next one; so does the last one closed in this document.
   void open(const QString& reference);
   /// Takes the surface, if there is one, out of the scene: one undo step.
   void close();

@@ -97,10 +97,11 @@ SurfaceSetting sweptSetting(const Scene& scene, std::size_t curve, SweptSurface:
   } else {
     swept.amount = shortened(box.low.x() - kAxisGap * std::max(size.x(), size.y()));
   }
+  // Kept cameras look at another one of the kind as they did at this.
+  if (!setting.swept || setting.swept->kind != swept.kind) setting.savedCameras.clear();
   setting.mesh = kSweptMesh;
   setting.swept = swept;
   setting.plane.reset();
-  setting.savedCameras.clear();
   setting = withCamera(std::move(setting), usualCamera(kind, scene.view));
   return withEveryRidge(std::move(setting));
 }

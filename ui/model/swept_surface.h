@@ -25,7 +25,7 @@ std::string nameOf(SweptSurface::Kind kind);  ///< "extrusion", "revolution"
 
 /// What the scene's surface becomes if a curve of it is swept: an extrusion as high as the curve is
 /// large, or a revolution about an axis beside it, seen as the scene is (usualCamera). Families and
-/// style stay. Precondition: there is such a curve.
+/// style stay, kept cameras if one of the same kind was there. Precondition: there is such a curve.
 SurfaceSetting sweptSetting(const Scene& scene, std::size_t curve, SweptSurface::Kind kind);
 
 /// The setting with the usual threshold of apparent ridges lowered to 0, which sweptSetting does: a

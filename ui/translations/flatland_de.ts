@@ -3893,10 +3893,6 @@
         <translation>die Fläche, die aus einer Kurve gemacht ist</translation>
     </message>
     <message>
-        <source>how its lines are set</source>
-        <translation>wie ihre Linien eingestellt sind</translation>
-    </message>
-    <message>
         <source>thresholds, colours and widths of the lines of %1</source>
         <translation>Schwellen, Farben und Breiten der Linien von %1</translation>
     </message>
@@ -3911,6 +3907,32 @@
     <message>
         <source>how %1 is shown</source>
         <translation>wie %1 gezeigt wird</translation>
+    </message>
+    <message>
+        <source>thresholds, colours and widths of lines</source>
+        <translation>Schwellen, Farben und Breiten von Linien</translation>
+    </message>
+    <message>
+        <source>%1 beside the curves</source>
+        <comment>a mesh</comment>
+        <translation>%1 neben den Kurven</translation>
+    </message>
+    <message>
+        <source>%1 in the place of: %2</source>
+        <comment>a mesh, a surface</comment>
+        <translation>%1 anstelle von: %2</translation>
+    </message>
+    <message>
+        <source>that a surface was closed (%1)</source>
+        <translation>dass eine Fläche geschlossen wurde (%1)</translation>
+    </message>
+    <message>
+        <source>the plane that cuts the surface</source>
+        <translation>die Ebene, die die Fläche schneidet</translation>
+    </message>
+    <message>
+        <source>that the plane was removed</source>
+        <translation>dass die Ebene entfernt wurde</translation>
     </message>
 </context>
 <context>
@@ -4797,6 +4819,10 @@
     <message>
         <source>Lost otherwise: %1.</source>
         <translation>Sonst verloren: %1.</translation>
+    </message>
+    <message>
+        <source>Only Undo brings back what was taken out of it: %1.</source>
+        <translation>Nur Rückgängig bringt zurück, was daraus entfernt wurde: %1.</translation>
     </message>
 </context>
 <context>
